@@ -1,0 +1,25 @@
+# One include form in the tree and after install: #include <gable/grammar/house.h>.
+# The build tree gets an include folder whose links point back at the floors.
+set(GABLE_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${GABLE_INCLUDE_DIR}/gable)
+foreach(floor grammar residuals engine)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${floor} ${GABLE_INCLUDE_DIR}/gable/${floor} SYMBOLIC)
+endforeach()
+
+add_library(gable_warnings INTERFACE)
+target_compile_options(gable_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                                                -Werror)
+
+# gable_layer(<floor> SOURCES ... LINKS ... PRIVATE_LINKS ...): the library of one floor,
+# as target gable_<floor> and gable::<floor>.
+function(gable_layer floor)
+  cmake_parse_arguments(LAYER "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  add_library(gable_${floor} ${LAYER_SOURCES})
+  add_library(gable::${floor} ALIAS gable_${floor})
+  set_target_properties(gable_${floor} PROPERTIES EXPORT_NAME ${floor})
+  target_compile_features(gable_${floor} PUBLIC cxx_std_20)
+  target_include_directories(gable_${floor} PUBLIC $<BUILD_INTERFACE:${GABLE_INCLUDE_DIR}>
+                                                   $<INSTALL_INTERFACE:include>)
+  target_link_libraries(gable_${floor} PUBLIC ${LAYER_LINKS}
+                        PRIVATE $<BUILD_INTERFACE:gable_warnings> ${LAYER_PRIVATE_LINKS})
+endfunction()

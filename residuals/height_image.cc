@@ -1,0 +1,1 @@
+#include <gable/residuals/height_image.h>

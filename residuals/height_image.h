@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace gable {
+
+/// A crop of heights around one building: what a house is fitted to. Local frame: world less
+/// `origin`; heights in metres above origin.z().
+struct HeightImage {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< world
+  Eigen::Vector2d first_center = Eigen::Vector2d::Zero();  ///< local centre of pixel (0, 0)
+  double gsd = 0.5;                                      ///< metres; columns go east, rows south
+  int rows = 0;
+  int cols = 0;
+  std::vector<float> height;  ///< surface, rows x cols
+  std::vector<float> ground;  ///< terrain, rows x cols
+  std::vector<float> weight;  ///< 0: left out (nodata, a neighbour's pixel); otherwise 1
+
+  size_t size() const { return static_cast<size_t>(rows) * static_cast<size_t>(cols); }
+  size_t index(int row, int col) const { return static_cast<size_t>(row) * cols + col; }
+  Eigen::Vector2d center_of(int row, int col) const {
+    return {first_center.x() + col * gsd, first_center.y() - row * gsd};
+  }
+};
+
+}  // namespace gable

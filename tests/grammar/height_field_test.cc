@@ -1,0 +1,87 @@
+#include <gable/grammar/height_field.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gable {
+namespace {
+
+House gabled_house() {
+  House house = make_house(Foundation::kI);
+  house.footprints[0].values = {0.0, 0.0, 10.0, 8.0};
+  house.roofs[0].values = {3.0, 2.0};
+  return house;
+}
+
+TEST(HeightField, GableRoofRisesFromEavesToRidge) {
+  const HeightField field(gabled_house());
+  EXPECT_DOUBLE_EQ(field.at_local({0.0, 0.0}, 0.0, 0.0), 5.0);
+  EXPECT_DOUBLE_EQ(field.at_local({4.9, 2.0}, 0.0, 0.0), 4.0);
+  EXPECT_DOUBLE_EQ(field.at_local({0.0, -4.0}, 0.0, 0.0), 3.0);
+  EXPECT_DOUBLE_EQ(field.at_local({5.1, 0.0}, 0.0, -0.25), -0.25);
+}
+
+TEST(HeightField, HipRunsFromTheWallToTheRidge) {
+  House house = gabled_house();
+  house.roofs[0] = make_rule(RuleKind::kRoofHip);
+  house.roofs[0].values = {3.0, 2.0, 0.2, 0.4};
+  const HeightField field(house);
+  EXPECT_DOUBLE_EQ(field.at_local({-4.0, 0.0}, 0.0, 0.0), 4.0);
+  EXPECT_DOUBLE_EQ(field.at_local({-3.0, 0.0}, 0.0, 0.0), 5.0);
+  EXPECT_DOUBLE_EQ(field.at_local({4.0, 0.0}, 0.0, 0.0), 3.5);
+  EXPECT_DOUBLE_EQ(field.at_local({1.0, 0.0}, 0.0, 0.0), 5.0);
+}
+
+TEST(HeightField, SupportCoveringHalfARoofEdgeAveragesItWithTheGround) {
+  const HeightField field(gabled_house());
+  // Centred on the gable wall at the ridge height line y = 2: half the support sees the roof.
+  EXPECT_NEAR(field.at_local({5.0, 2.0}, 0.5, 0.0), 0.5 * 4.0, 1e-12);
+  EXPECT_NEAR(field.at_local({5.0, 2.0}, 0.5, 1.0), 0.5 * 4.0 + 0.5 * 1.0, 1e-12);
+}
+
+TEST(HeightField, CoverageTimesHeightIsTheIntegralOverTheSupport) {
+  const HeightField field(gabled_house());
+  // Monte-Carlo-free check: a fine grid of point samples over the support, on one roof plane.
+  const Eigen::Vector2d p(-4.8, 1.7);
+  const double s = 0.8;
+  const int n = 400;
+  double sum = 0.0;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      const Eigen::Vector2d q = p + s * Eigen::Vector2d((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5);
+      sum += field.at_local(q, 0.0, 0.0);
+    }
+  }
+  EXPECT_NEAR(field.at_local(p, s, 0.0), sum / (n * n), 0.01);
+}
+
+TEST(HeightField, AzimuthTurnsTheHouseAnticlockwise) {
+  House house = gabled_house();
+  house.azimuth[0] = 0.5 * M_PI;
+  const HeightField field(house);
+  EXPECT_NEAR(field.at_local({2.0, 4.9}, 0.0, 0.0), 4.0, 1e-12);
+  EXPECT_EQ(field.at_local({4.9, 2.0}, 0.0, 0.0), 0.0);
+}
+
+TEST(HeightField, ChimneyIsBlendedOverTheRoofNotTheGround) {
+  House house = gabled_house();
+  Rule chimney = make_rule(RuleKind::kChimney);
+  chimney.values = {0.0, 2.0, 1.0, 6.0};
+  house.chimneys.push_back(chimney);
+  const HeightField field(house);
+  EXPECT_NEAR(field.at_local({0.5, 2.0}, 0.5, 0.0), 4.0 + 0.5 * 2.0, 1e-12);
+}
+
+TEST(HeightField, DormerEndsAtItsComponentsWall) {
+  House house = gabled_house();
+  Rule dormer = make_rule(RuleKind::kDormer);
+  dormer.values = {0.0, 4.0, 2.0, 2.0, 4.5, 0.5};
+  dormer.component = 0;
+  house.dormers.push_back(dormer);
+  const HeightField field(house);
+  EXPECT_NEAR(field.at_local({0.0, 3.99}, 0.0, 0.0), 5.0, 1e-12);
+  EXPECT_EQ(field.at_local({0.0, 4.01}, 0.0, 0.0), 0.0);
+}
+
+}  // namespace
+}  // namespace gable
