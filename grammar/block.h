@@ -17,9 +17,9 @@ enum class BlockRole {
 
 /// Positions in Block::values.
 namespace block_value {
-enum { kX0, kX1, kY0, kY1, kEaves, kRise, kHipStart, kHipEnd, kNumBlockValues };
+enum { kX0, kX1, kY0, kY1, kEaves, kRise, kHipStart, kHipEnd };
 }
-inline constexpr int kNumBlockValues = block_value::kNumBlockValues;
+inline constexpr int kNumBlockValues = 8;
 
 /// A rectangle of the house frame under a flat, gable or hip roof: what every rule expands to.
 /// values: x0 < x1 and y0 < y1 (metres, house frame), eaves height and ridge rise (metres), and the

@@ -8,9 +8,9 @@ namespace gable {
 /// A crop of heights around one building: what a house is fitted to. Local frame: world less
 /// `origin`; heights in metres above origin.z().
 struct HeightImage {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();      ///< world
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< world
   Eigen::Vector2d first_center = Eigen::Vector2d::Zero();  ///< local centre of pixel (0, 0)
-  double gsd = 0.5;                                      ///< metres; columns go east, rows south
+  double gsd = 0.5;                                        ///< metres; columns go east, rows south
   int rows = 0;
   int cols = 0;
   std::vector<float> height;  ///< surface, rows x cols

@@ -1,0 +1,136 @@
+#include <gable/engine/solver/house_refinement.h>
+#include <gable/grammar/height_field.h>
+#include <gable/residuals/house_height_cost.h>
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace gable {
+namespace {
+
+void set_bounds(const Rule& rule, double* block, ceres::Problem* problem) {
+  const auto specs = parameter_specs(rule.kind);
+  for (size_t k = 0; k < specs.size(); ++k) {
+    // A start outside its bounds is projected: Ceres refuses infeasible starts.
+    block[k] = std::clamp(block[k], specs[k].lower, specs[k].upper);
+    if (std::isfinite(specs[k].lower)) {
+      problem->SetParameterLowerBound(block, static_cast<int>(k), specs[k].lower);
+    }
+    if (std::isfinite(specs[k].upper)) {
+      problem->SetParameterUpperBound(block, static_cast<int>(k), specs[k].upper);
+    }
+  }
+}
+
+struct PointErrors {
+  double mad = 0.0;
+  double rmse = 0.0;
+  double noise = 0.0;  ///< robust standard deviation over the covered pixels
+};
+
+PointErrors point_errors(const HeightImage& image, const House& house) {
+  const HeightField field(house);
+  std::vector<double> errors;
+  double sum = 0.0, squares = 0.0;
+  for (int row = 0; row < image.rows; ++row) {
+    for (int col = 0; col < image.cols; ++col) {
+      const size_t i = image.index(row, col);
+      if (!(image.weight[i] > 0.0f)) continue;
+      const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
+      if (field.block_at_house(p) < 0) continue;
+      const double error = std::abs(field.at_house(p, 0.0, image.ground[i]) - image.height[i]);
+      errors.push_back(error);
+      sum += error;
+      squares += error * error;
+    }
+  }
+  PointErrors out;
+  if (errors.empty()) return out;
+  const double n = static_cast<double>(errors.size());
+  out.mad = sum / n;
+  out.rmse = std::sqrt(squares / n);
+  std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+  out.noise = 1.4826 * errors[errors.size() / 2];
+  return out;
+}
+
+}  // namespace
+
+std::string check(const RefinementOptions& options) {
+  if (options.stages.empty()) return "stages must not be empty";
+  for (const RefinementStage& stage : options.stages) {
+    if (!(stage.support > 0.0 && stage.support <= 100.0)) return "support must lie in (0, 100]";
+    if (stage.stride < 1 || stage.stride > 64) return "stride must lie in [1, 64]";
+    if (stage.max_iterations < 1 || stage.max_iterations > 1000) {
+      return "max_iterations must lie in [1, 1000]";
+    }
+  }
+  if (!(options.loss_scale > 0.0 && options.loss_scale <= 100.0)) {
+    return "loss_scale must lie in (0, 100]";
+  }
+  if (!(options.function_tolerance >= 0.0 && options.function_tolerance < 1.0)) {
+    return "function_tolerance must lie in [0, 1)";
+  }
+  return "";
+}
+
+RefinementSummary refine_house(const HeightImage& image, const RefinementOptions& options,
+                               House* house) {
+  CHECK(check(options).empty()) << check(options);
+  CHECK(is_well_formed(*house));
+  CHECK(house->origin == image.origin) << "house and image have different local frames";
+  const auto start = std::chrono::steady_clock::now();
+
+  const std::vector<Rule*> rules = house->derivation();
+  std::vector<double*> blocks;
+  for (Rule* rule : rules) blocks.push_back(rule->values.data());
+
+  RefinementSummary summary;
+  for (size_t s = 0; s < options.stages.size(); ++s) {
+    const RefinementStage& stage = options.stages[s];
+    auto cost = std::make_unique<HouseHeightCost>(
+        *house, &image, HeightCostOptions{stage.support, options.loss_scale, stage.stride});
+    summary.num_samples = cost->evaluator().num_samples();
+    ceres::Problem::Options problem_options;
+    problem_options.disable_all_safety_checks = true;
+    ceres::Problem problem(problem_options);
+    problem.AddResidualBlock(cost.release(), nullptr, blocks);
+    for (size_t b = 0; b < rules.size(); ++b) set_bounds(*rules[b], blocks[b], &problem);
+    if (!options.refine_azimuth) problem.SetParameterBlockConstant(blocks[0]);
+
+    MinimizerOptions minimizer;
+    minimizer.max_iterations = stage.max_iterations;
+    minimizer.function_tolerance = options.function_tolerance;
+    summary.stages.push_back(minimize(minimizer, &problem));
+    summary.iterations += summary.stages.back().iterations;
+
+    if (options.deviations && s + 1 == options.stages.size()) {
+      const PointErrors errors = point_errors(image, *house);
+      summary.mad = errors.mad;
+      summary.rmse = errors.rmse;
+      const double variance = errors.noise * errors.noise;
+      const std::vector<double> all = parameter_deviations(blocks, variance, &problem);
+      size_t next = 0;
+      for (const Rule* rule : rules) {
+        const size_t size = rule->parameters().size();
+        summary.deviations.emplace_back(all.begin() + next, all.begin() + next + size);
+        next += size;
+      }
+    }
+  }
+  if (!options.deviations) {
+    const PointErrors errors = point_errors(image, *house);
+    summary.mad = errors.mad;
+    summary.rmse = errors.rmse;
+  }
+  summary.final_cost = summary.stages.back().final_cost;
+  summary.termination = summary.stages.back().termination;
+  summary.time_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return summary;
+}
+
+}  // namespace gable

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <gable/engine/solver/minimizer.h>
+#include <gable/grammar/house.h>
+#include <gable/residuals/height_image.h>
+
+#include <string>
+#include <vector>
+
+namespace gable {
+
+/// One stage of the annealed refinement.
+struct RefinementStage {
+  double support = 0.5;     ///< width of the samples' support, metres, (0, 100]
+  int stride = 1;           ///< use every stride-th pixel of every stride-th row, [1, 64]
+  int max_iterations = 20;  ///< [1, 1000]
+};
+
+/// How a house is refined against a height image (NPR section 4.5).
+struct RefinementOptions {
+  /// Stages in order, wide supports first: a wide support pulls edges from far away, a narrow one
+  /// places them exactly.
+  std::vector<RefinementStage> stages = {{2.0, 1, 20}, {0.5, 1, 20}};
+  double loss_scale = 0.3;           ///< soft L1 scale, metres, (0, 100]
+  double function_tolerance = 1e-4;  ///< relative change of the cost that ends a stage, [0, 1)
+  bool refine_azimuth = true;
+  bool deviations = true;  ///< compute the parameters' standard deviations at the end
+};
+
+/// Empty if the options are in range; otherwise names the violated bound.
+std::string check(const RefinementOptions& options);
+
+/// What a refinement did.
+struct RefinementSummary {
+  std::vector<MinimizerSummary> stages;
+  double final_cost = -1.0;  ///< half the sum of squared robust residuals in the last stage
+  int num_samples = 0;       ///< pixels compared in the last stage
+  int iterations = 0;        ///< over all stages
+  double time_ms = 0.0;
+  Termination termination = Termination::kFailed;  ///< of the last stage
+  double mad = 0.0;   ///< mean |h - height| over the pixels the house covers, point samples, metres
+  double rmse = 0.0;  ///< root mean square over the same pixels, metres
+  /// Standard deviations per rule in derivation order; empty if not asked for.
+  std::vector<std::vector<double>> deviations;
+};
+
+/// Refines all parameters of `house` in place against `image`, each rule one parameter block with
+/// the bounds of its table. house->origin must equal image.origin (the local frames agree).
+RefinementSummary refine_house(const HeightImage& image, const RefinementOptions& options,
+                               House* house);
+
+}  // namespace gable

@@ -1,1 +1,0 @@
-#include <gable/residuals/height_image.h>

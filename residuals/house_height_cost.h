@@ -1,0 +1,75 @@
+#pragma once
+
+#include <ceres/cost_function.h>
+#include <gable/grammar/house.h>
+#include <gable/residuals/compressed.h>
+#include <gable/residuals/height_image.h>
+
+#include <vector>
+
+namespace gable {
+
+/// How a house's height field is compared with a height image.
+struct HeightCostOptions {
+  double support = 0.5;     ///< width of a sample's square support, metres, (0, 100]
+  double loss_scale = 0.3;  ///< soft L1 scale, metres, (0, 100]
+  int stride = 1;           ///< every stride-th pixel of every stride-th row is used, >= 1
+};
+
+/// The comparison of one house with one height image: per used pixel i the robust residual
+///   robust(h(p_i; parameters, support, ground_i) - height_i),
+/// robust() of SoftL1, h of grammar/height_field.h. Parameter blocks: House::derivation().
+///
+/// Pixels are never resampled: the azimuth turns the sample points. A pixel sees at most one
+/// standing block and one block on the roof, so derivatives are taken with respect to these blocks'
+/// eight values only and summed per block; the chain to the parameters is applied once to the sums.
+class HouseHeightEvaluator {
+ public:
+  /// `house` gives the structure (kinds and numbers of rules), `image` must outlive this object.
+  HouseHeightEvaluator(const House& house, const HeightImage* image,
+                       const HeightCostOptions& options);
+
+  /// Sum of squared robust residuals; half of it is the cost. parameters: one pointer per rule.
+  double squared_residuals(double const* const* parameters) const;
+
+  /// The normal equations over all parameters, in derivation order.
+  void normal_equations(double const* const* parameters, NormalEquations* normal) const;
+
+  const House& house() const { return house_; }
+  int num_parameters() const { return num_parameters_; }
+  /// First position of each rule's parameters in the normal equations.
+  const std::vector<int>& offsets() const { return offsets_; }
+  /// Number of pixels compared (weight > 0, after the stride).
+  int num_samples() const { return num_samples_; }
+
+ private:
+  struct Sums;
+  template <bool kDerivatives>
+  double accumulate(double const* const* parameters, Sums* sums) const;
+
+  House house_;
+  const HeightImage* image_;
+  HeightCostOptions options_;
+  std::vector<int> offsets_;
+  int num_parameters_ = 0;
+  int num_samples_ = 0;
+  // Running sums along each used row of the cost that pixels have where no block is seen.
+  std::vector<double> ground_cost_;
+};
+
+/// HouseHeightEvaluator as a Ceres cost function of (number of parameters + 1) residuals. The
+/// robust loss is inside: add it to a problem without one.
+class HouseHeightCost : public ceres::CostFunction {
+ public:
+  HouseHeightCost(const House& house, const HeightImage* image, const HeightCostOptions& options);
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override;
+
+  const HouseHeightEvaluator& evaluator() const { return evaluator_; }
+
+ private:
+  HouseHeightEvaluator evaluator_;
+};
+
+}  // namespace gable
