@@ -1,8 +1,3 @@
-#include <CLI/CLI.hpp>
+#include "examples/cli/program.h"
 
-int main(int argc, char** argv) {
-  CLI::App app{"gable: house models from height images"};
-  app.require_subcommand(1);
-  CLI11_PARSE(app, argc, argv);
-  return 0;
-}
+int main(int argc, char** argv) { return gable::run_program(argc, argv); }

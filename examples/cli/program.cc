@@ -1,0 +1,59 @@
+#include "examples/cli/program.h"
+
+#include <gable/engine/error.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <iostream>
+#include <string>
+
+#include "examples/cli/interrupt.h"
+
+namespace gable {
+namespace {
+
+constexpr const char* kDescription =
+    "Compact, semantic, watertight house models from height images.\n"
+    "Lengths and heights are in metres, angles in degrees.";
+
+constexpr const char* kFooter =
+    "Exit codes: 0 done, 2 wrong usage, 3 an input is missing, 4 an input is unusable,\n"
+    "5 an output cannot be written, 70 a defect of gable, 130 interrupted.";
+
+int fail(ExitCode code, const std::string& line) {
+  std::cerr << "gable: " << line << std::endl;
+  return static_cast<int>(code);
+}
+
+std::string on_one_line(std::string text) {
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return text;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  const Interrupt interrupt;  // before anything starts a thread
+  CLI::App app{kDescription, "gable"};
+  app.set_version_flag("--version", "gable " GABLE_VERSION, "Print the version and end");
+  app.set_help_flag("-h,--help", "Print this help and end");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return fail(ExitCode::kUsage, on_one_line(error.what()) + " (see gable --help)");
+  } catch (const Error& error) {
+    return fail(error.code(), on_one_line(error.what()));
+  } catch (const std::exception& error) {
+    return fail(ExitCode::kInternal,
+                "internal error, please report it: " + on_one_line(error.what()));
+  }
+  return static_cast<int>(ExitCode::kOk);
+}
+
+}  // namespace gable
