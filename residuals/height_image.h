@@ -15,7 +15,8 @@ struct HeightImage {
   int cols = 0;
   std::vector<float> height;  ///< surface, rows x cols
   std::vector<float> ground;  ///< terrain, rows x cols
-  std::vector<float> weight;  ///< 0: left out (nodata, a neighbour's pixel); otherwise 1
+  std::vector<float> weight;  ///< 0: left out (nodata, a neighbour's pixel); otherwise in (0, 1]
+  std::vector<unsigned char> inside;  ///< 1: a pixel of the building (its mask or footprint)
 
   size_t size() const { return static_cast<size_t>(rows) * static_cast<size_t>(cols); }
   size_t index(int row, int col) const { return static_cast<size_t>(row) * cols + col; }

@@ -100,6 +100,12 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
     problem.AddResidualBlock(cost.release(), nullptr, blocks);
     for (size_t b = 0; b < rules.size(); ++b) set_bounds(*rules[b], blocks[b], &problem);
     if (!options.refine_azimuth) problem.SetParameterBlockConstant(blocks[0]);
+    for (size_t b = 0; b < rules.size() && !options.only_rules.empty(); ++b) {
+      const auto& only = options.only_rules;
+      if (std::find(only.begin(), only.end(), static_cast<int>(b)) == only.end()) {
+        problem.SetParameterBlockConstant(blocks[b]);
+      }
+    }
 
     MinimizerOptions minimizer;
     minimizer.max_iterations = stage.max_iterations;

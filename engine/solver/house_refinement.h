@@ -24,6 +24,8 @@ struct RefinementOptions {
   double loss_scale = 0.3;           ///< soft L1 scale, metres, (0, 100]
   double function_tolerance = 1e-4;  ///< relative change of the cost that ends a stage, [0, 1)
   bool refine_azimuth = true;
+  /// Positions (House::derivation) of the rules to refine; the others stay. Empty: all.
+  std::vector<int> only_rules;
   bool deviations = true;  ///< compute the parameters' standard deviations at the end
 };
 

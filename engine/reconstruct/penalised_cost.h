@@ -1,0 +1,35 @@
+#pragma once
+
+#include <gable/grammar/house.h>
+#include <gable/residuals/height_image.h>
+
+namespace gable {
+
+/// What hypotheses are compared by: a minimum description length. With S the sum of squared robust
+/// residuals over the N pixels that count, sigma the heights' noise, k the number of parameters:
+///
+///   J = S / sigma^2 + k ln N
+///
+/// i.e. twice the negative log-likelihood under the robust loss plus the Bayesian information
+/// criterion's price. Lower is better; a rule pays if it lowers J.
+struct PenalisedCost {
+  double squared_residuals = 0.0;  ///< S, square metres
+  int num_parameters = 0;          ///< k
+  int num_samples = 0;             ///< N
+  double total = 0.0;              ///< J
+};
+
+/// Scales of the penalised cost.
+struct PenaltyOptions {
+  double support = 0.5;     ///< metres
+  double loss_scale = 0.3;  ///< metres
+  double noise = 0.15;      ///< sigma, metres, > 0
+};
+
+PenalisedCost penalised_cost(const HeightImage& image, const House& house,
+                             const PenaltyOptions& options);
+
+/// The price of one parameter, ln N.
+double parameter_price(const HeightImage& image);
+
+}  // namespace gable
