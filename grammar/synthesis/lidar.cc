@@ -1,8 +1,6 @@
-#include <gable/grammar/height_field.h>
+#include <gable/grammar/rasterise.h>
 #include <gable/grammar/synthesis/lidar.h>
-#include <gable/grammar/synthesis/rectangle.h>
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -17,27 +15,11 @@ std::string LidarOptions::check() const {
 }
 
 void rasterise_house(const House& house, HeightRaster* surface, HeightRaster* truth) {
-  const HeightField field(house);
-  Rectangle box = rectangle_of(field.blocks()[0]);
-  for (const auto& block : field.blocks()) box = bounds(box, rectangle_of(block));
-  const double radius = std::max(std::hypot(box.x0, box.y0), std::hypot(box.x1, box.y1)) +
-                        std::max(box.size_x(), box.size_y());
-  const Grid& grid = surface->grid;
-  const Eigen::Vector2d center = house.origin.head<2>();
-  const Eigen::Vector2d first = grid.cell_of(center + Eigen::Vector2d(-radius, radius));
-  const Eigen::Vector2d last = grid.cell_of(center + Eigen::Vector2d(radius, -radius));
-  const int row_end = std::min(grid.rows - 1, static_cast<int>(std::ceil(last.x())));
-  const int col_end = std::min(grid.cols - 1, static_cast<int>(std::ceil(last.y())));
-  for (int row = std::max(0, static_cast<int>(std::floor(first.x()))); row <= row_end; ++row) {
-    for (int col = std::max(0, static_cast<int>(std::floor(first.y()))); col <= col_end; ++col) {
-      const Eigen::Vector2d point = field.house_from_local(grid.center_of(row, col) - center);
-      if (field.block_at_house(point) < 0) continue;
-      // The ground is not read where a block covers the point.
-      const double height = house.origin.z() + field.at_house(point, 0.0, 0.0);
-      surface->at(row, col) = static_cast<float>(height);
-      if (truth != nullptr) truth->at(row, col) = static_cast<float>(height);
-    }
-  }
+  for_covered_cells(house, surface->grid, [&](int row, int col, double above_origin) {
+    const float height = static_cast<float>(house.origin.z() + above_origin);
+    surface->at(row, col) = height;
+    if (truth != nullptr) truth->at(row, col) = height;
+  });
 }
 
 void add_survey_noise(const LidarOptions& options, const HeightRaster& ground, Random* random,
