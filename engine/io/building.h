@@ -1,13 +1,13 @@
 #pragma once
 
+#include <gable/grammar/house.h>
+#include <gable/grammar/solid/extrusion.h>
+#include <gable/grammar/solid/house_solids.h>
+
 #include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <gable/grammar/house.h>
-#include <gable/grammar/solid/extrusion.h>
-#include <gable/grammar/solid/house_solids.h>
 
 namespace gable {
 

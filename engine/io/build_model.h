@@ -1,0 +1,11 @@
+#pragma once
+
+#include <gable/engine/io/building.h>
+#include <gable/engine/io/building_model.h>
+
+namespace gable {
+
+/// Builds the solids of a building: LoD 1.2, 2.0 and 2.2 of a house, LoD 1.2 of an extrusion.
+BuildingModel build_model(const Building& building);
+
+}  // namespace gable

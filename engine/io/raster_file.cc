@@ -1,0 +1,177 @@
+#include <gable/engine/error.h>
+#include <gable/engine/io/gdal_messages.h>
+#include <gable/engine/io/raster_crs.h>
+#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/resample.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+namespace gable {
+namespace {
+
+constexpr float kNoHeight = std::numeric_limits<float>::quiet_NaN();
+/// No terrain or building on Earth lies beyond; such values are forgotten nodata markers.
+constexpr double kMaxHeight = 10000.0;
+
+}  // namespace
+
+struct RasterFile::Impl {
+  std::string path;
+  GDALDatasetUniquePtr dataset;
+  GDALRasterBand* band = nullptr;
+  bool masked = false;
+  double scale = 1.0;  ///< metres = scale * value + offset
+  double offset = 0.0;
+  Grid grid;
+  Crs crs;
+  std::mutex mutex;
+
+  void open(const RasterFileOptions& options);
+  void require_heights();
+  HeightRaster read(int row0, int col0, int rows, int cols);
+  void require(CPLErr status, const GdalMessages& messages) const;
+};
+
+void RasterFile::Impl::open(const RasterFileOptions& options) {
+  const GdalMessages messages;
+  VSIStatBufL stat;
+  if (VSIStatL(path.c_str(), &stat) != 0) {
+    throw Error(ExitCode::kNoInput, path + ": no such file; check the path");
+  }
+  VSILFILE* file = VSIFOpenL(path.c_str(), "rb");
+  if (!file) {
+    throw Error(ExitCode::kNoInput, path + ": cannot be opened: " + std::strerror(errno));
+  }
+  VSIFCloseL(file);
+  dataset.reset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  if (!dataset || dataset->GetRasterCount() == 0) {
+    throw Error(
+        ExitCode::kBadInput,
+        path + ": is not a raster; give a GeoTIFF, COG, ASC or VRT of heights" + messages.suffix());
+  }
+  band = dataset->GetRasterBand(1);
+  const int bands = dataset->GetRasterCount();
+  const bool second_is_alpha =
+      bands == 2 && dataset->GetRasterBand(2)->GetColorInterpretation() == GCI_AlphaBand;
+  if (bands > 1 && !second_is_alpha) {
+    throw Error(ExitCode::kBadInput, path + ": has " + std::to_string(bands) +
+                                         " bands, heights are one; pick it: gdal_translate -b 1 " +
+                                         path + " heights.tif");
+  }
+  grid = raster_grid(*dataset, path);
+  RasterCrs checked = raster_crs(*dataset, path, options.crs);
+  crs = std::move(checked.crs);
+  masked = !(band->GetMaskFlags() & GMF_ALL_VALID);
+  scale = band->GetScale() * checked.metres_per_height_unit;
+  offset = band->GetOffset() * checked.metres_per_height_unit;
+  require_heights();
+}
+
+/// Reads strips of the file's own blocks until the first height: nothing but the first strip,
+/// unless the file starts with nodata.
+void RasterFile::Impl::require_heights() {
+  int block_cols = 0, block_rows = 0;
+  band->GetBlockSize(&block_cols, &block_rows);
+  const int step = std::clamp(block_rows, 1, 512);
+  for (int row = 0; row < grid.rows; row += step) {
+    const HeightRaster strip = read(row, 0, std::min(step, grid.rows - row), grid.cols);
+    for (const float z : strip.values) {
+      if (!std::isnan(z)) return;
+    }
+  }
+  throw Error(ExitCode::kBadInput,
+              path + ": holds no height at all, every cell is nodata; check its nodata value");
+}
+
+void RasterFile::Impl::require(CPLErr status, const GdalMessages& messages) const {
+  if (status == CE_None) return;
+  throw Error(ExitCode::kBadInput,
+              path + ": is damaged, its cells cannot be read" + messages.suffix());
+}
+
+HeightRaster RasterFile::Impl::read(int row0, int col0, int rows, int cols) {
+  assert(row0 >= 0 && col0 >= 0 && rows >= 0 && cols >= 0);
+  assert(row0 + rows <= grid.rows && col0 + cols <= grid.cols);
+  HeightRaster out(
+      {grid.north_west + grid.gsd * Eigen::Vector2d(col0, -row0), grid.gsd, rows, cols}, kNoHeight);
+  if (out.values.empty()) return out;
+  std::vector<GByte> mask;
+  {
+    const GdalMessages messages;
+    const std::lock_guard<std::mutex> lock(mutex);
+    require(band->RasterIO(GF_Read, col0, row0, cols, rows, out.values.data(), cols, rows,
+                           GDT_Float32, 0, 0, nullptr),
+            messages);
+    if (masked) {
+      mask.resize(out.values.size());
+      require(band->GetMaskBand()->RasterIO(GF_Read, col0, row0, cols, rows, mask.data(), cols,
+                                            rows, GDT_Byte, 0, 0, nullptr),
+              messages);
+    }
+  }
+  for (size_t i = 0; i < out.values.size(); ++i) {
+    const double z = scale * out.values[i] + offset;
+    const bool valid = (mask.empty() || mask[i] != 0) && std::abs(z) <= kMaxHeight;
+    out.values[i] = valid ? static_cast<float>(z) : kNoHeight;
+  }
+  return out;
+}
+
+RasterFile::RasterFile(const std::string& path, const RasterFileOptions& options)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->path = path;
+  impl_->open(options);
+}
+
+RasterFile::~RasterFile() = default;
+RasterFile::RasterFile(RasterFile&&) noexcept = default;
+RasterFile& RasterFile::operator=(RasterFile&&) noexcept = default;
+
+const std::string& RasterFile::path() const { return impl_->path; }
+const Grid& RasterFile::grid() const { return impl_->grid; }
+const Crs& RasterFile::crs() const { return impl_->crs; }
+
+HeightRaster RasterFile::read(int row0, int col0, int rows, int cols) const {
+  return impl_->read(row0, col0, rows, cols);
+}
+
+HeightRaster RasterFile::read() const { return read(0, 0, grid().rows, grid().cols); }
+
+HeightRaster RasterFile::read_onto(const Grid& target) const {
+  if (!overlap(target, grid())) return HeightRaster(target, kNoHeight);
+  const Eigen::Vector2d first = grid().cell_of(target.center_of(0, 0));
+  const Eigen::Vector2d last = grid().cell_of(target.center_of(target.rows - 1, target.cols - 1));
+  const auto clamp = [](double position, int count) {
+    return static_cast<int>(std::clamp(position, 0.0, static_cast<double>(count)));
+  };
+  const int row0 = clamp(std::floor(first.x()) - 1, grid().rows);
+  const int col0 = clamp(std::floor(first.y()) - 1, grid().cols);
+  const int row1 = clamp(std::ceil(last.x()) + 2, grid().rows);
+  const int col1 = clamp(std::ceil(last.y()) + 2, grid().cols);
+  return resample_bilinear(read(row0, col0, row1 - row0, col1 - col0), target);
+}
+
+void require_matching(const RasterFile& dsm, const RasterFile& dtm) {
+  if (!same_horizontal_crs(dsm.crs(), dtm.crs())) {
+    const std::string code =
+        dsm.crs().epsg ? "EPSG:" + std::to_string(dsm.crs().epsg) : std::string("EPSG:NNNN");
+    throw Error(ExitCode::kBadInput, dtm.path() + ": is in " + dtm.crs().name + ", but " +
+                                         dsm.path() + " is in " + dsm.crs().name +
+                                         "; warp it first: gdalwarp -t_srs " + code +
+                                         " -r bilinear " + dtm.path() + " warped.tif");
+  }
+  if (!overlap(dsm.grid(), dtm.grid())) {
+    throw Error(ExitCode::kBadInput, dtm.path() + ": does not overlap " + dsm.path() +
+                                         "; give the terrain of the same area");
+  }
+}
+
+}  // namespace gable
