@@ -1,5 +1,4 @@
 #include <benchmark/benchmark.h>
-
 #include <gable/grammar/height_field.h>
 
 namespace gable {
