@@ -15,6 +15,11 @@ enum class BlockRole {
   kChimney,    ///< stands on the roof or beside the wall
 };
 
+/// Whether a block stands on what the others form (dormers, chimneys) instead of on the ground.
+inline bool stands_on_roof(BlockRole role) {
+  return role == BlockRole::kDormer || role == BlockRole::kChimney;
+}
+
 /// Positions in Block::values.
 namespace block_value {
 enum { kX0, kX1, kY0, kY1, kEaves, kRise, kHipStart, kHipEnd };

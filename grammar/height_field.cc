@@ -23,20 +23,12 @@ double HeightField::at_local(const Eigen::Vector2d& local, double support, doubl
 }
 
 double HeightField::at_house(const Eigen::Vector2d& point, double support, double ground) const {
-  return height_at<double, double>(blocks_, sources_, point.x(), point.y(), support, ground);
+  return height_at<double, double>(blocks_, point.x(), point.y(), support, ground);
 }
 
 int HeightField::block_at_house(const Eigen::Vector2d& point) const {
-  int best = -1;
-  double best_height = 0.0;
-  for (size_t i = 0; i < blocks_.size(); ++i) {
-    const auto sample = sample_block<double, double>(blocks_[i], point.x(), point.y(), 0.0);
-    if (sample.coverage > 0.0 && (best < 0 || sample.height > best_height)) {
-      best = static_cast<int>(i);
-      best_height = sample.height;
-    }
-  }
-  return best;
+  const Layers<double> seen = layers_at<double, double>(blocks_, point.x(), point.y(), 0.0);
+  return seen.count > 0 ? seen.layers[0].block : -1;
 }
 
 }  // namespace gable

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include <gable/grammar/block.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
 
 namespace gable {
 
@@ -43,82 +45,128 @@ T roof_height(const Block<T>& block, const P& x, const P& y) {
   return block[kEaves] + block[kRise] * to_eaves / half_width;
 }
 
-/// What a block shows to a sample with a square support.
+/// The part of a sample's square support that blocks cover, as a rectangle of the house frame.
 template <typename T>
-struct BlockSample {
-  T coverage{};  ///< share of the support that the block's rectangle covers, in [0, 1]
-  T height{};    ///< roof height at the centroid of the covered share; set where coverage > 0
+struct CoveredPart {
+  T x0, x1, y0, y1;
+  bool empty() const { return !(x0 < x1) || !(y0 < y1); }
+  T area() const { return (x1 - x0) * (y1 - y0); }
 };
 
-/// Samples a block at (x, y), house frame, with a support of width `support` metres (axis-aligned
-/// in the house frame). coverage * height is exactly the support's integral of the roof over its
-/// area wherever the roof is one plane there, which gives the height a derivative with respect to
-/// the rectangle's edges. support = 0: a point sample, coverage 0 or 1.
 template <typename T, typename P>
-BlockSample<T> sample_block(const Block<T>& block, const P& x, const P& y, double support) {
+CoveredPart<T> covered_part(const Block<T>& block, const P& x, const P& y, double support) {
   using namespace block_value;
-  BlockSample<T> sample;
-  sample.coverage = T(0.0);
-  if (support <= 0.0) {
-    if (x < block[kX0] || x >= block[kX1] || y < block[kY0] || y >= block[kY1]) return sample;
-    sample.coverage = T(1.0);
-    sample.height = roof_height(block, x, y);
-    return sample;
-  }
   const double half = 0.5 * support;
   const P x_low = x - P(half), x_high = x + P(half);
   const P y_low = y - P(half), y_high = y + P(half);
-  if (x_low >= block[kX0] && x_high <= block[kX1] && y_low >= block[kY0] && y_high <= block[kY1]) {
-    sample.coverage = T(1.0);
-    sample.height = roof_height(block, x, y);
-    return sample;
-  }
-  const T x_from = x_low < block[kX0] ? block[kX0] : T(x_low);
-  const T x_to = x_high > block[kX1] ? block[kX1] : T(x_high);
-  const T y_from = y_low < block[kY0] ? block[kY0] : T(y_low);
-  const T y_to = y_high > block[kY1] ? block[kY1] : T(y_high);
-  if (!(x_from < x_to) || !(y_from < y_to)) return sample;
-  sample.coverage = (x_to - x_from) * (y_to - y_from) * T(1.0 / (support * support));
-  const T centroid_x = (x_from + x_to) * T(0.5);
-  const T centroid_y = (y_from + y_to) * T(0.5);
-  sample.height = roof_height(block, centroid_x, centroid_y);
-  return sample;
+  return {x_low < block[kX0] ? block[kX0] : T(x_low), x_high > block[kX1] ? block[kX1] : T(x_high),
+          y_low < block[kY0] ? block[kY0] : T(y_low), y_high > block[kY1] ? block[kY1] : T(y_high)};
 }
 
-/// Whether a block stands on what the others form (dormers, chimneys) instead of on the ground.
-inline bool stands_on_roof(BlockRole role) {
-  return role == BlockRole::kDormer || role == BlockRole::kChimney;
+template <typename T>
+CoveredPart<T> intersect(const CoveredPart<T>& a, const CoveredPart<T>& b) {
+  return {a.x0 < b.x0 ? b.x0 : a.x0, a.x1 > b.x1 ? b.x1 : a.x1, a.y0 < b.y0 ? b.y0 : a.y0,
+          a.y1 > b.y1 ? b.y1 : a.y1};
 }
 
-/// The height field of a house at (x, y) in the house frame over a terrain of height `ground`
-/// there (metres, relative to House::origin):
-///
-///   main = max over components and garages b of  c_b z_b + (1 - c_b) ground   (ground if none)
-///   h    = main + max over dormers and chimneys a of  c_a max(0, z_a - main)
-///
-/// With support -> 0 this is the upper envelope of all blocks and the ground outside. Dormers and
-/// chimneys are blended over the roof, not over the ground, because that is what is beside them:
-/// otherwise their edges would shrink by the share of the support they do not cover.
-/// See docs/height-field.md.
+/// At most this many blocks are told apart in one sample.
+inline constexpr int kMaxLayers = 4;
+
+/// A block as one sample sees it.
+template <typename T>
+struct Layer {
+  int block = -1;  ///< number of the block in the list given
+  T height{};      ///< roof height at the centroid of the covered part of the support, metres
+  T share{};       ///< visible share of the support, in [0, 1]
+};
+
+/// The blocks that a sample at (x, y), house frame, sees from above.
+template <typename T>
+struct Layers {
+  std::array<Layer<T>, kMaxLayers> layers;  ///< highest first
+  int count = 0;
+  T ground_share{};  ///< share of the support that no block covers
+};
+
+/// Sorts the blocks over a sample by height and gives each its visible share of the support, a
+/// square of width `support` metres, axis-aligned in the house frame: the area of its covered part
+/// that no higher one covers, by inclusion and exclusion of rectangles, hence exact. The shares are
+/// what gives heights a derivative with respect to the rectangles' edges; share * height is exactly
+/// the support's integral of a roof wherever it is one plane there. Of more than kMaxLayers blocks
+/// the highest count. support = 0: a point sample, one layer with share 1, or none.
 template <typename T, typename P>
-T height_at(const std::vector<Block<T>>& blocks, const std::vector<BlockSource>& sources, const P& x,
-            const P& y, double support, double ground) {
-  T main = T(ground);
-  bool covered = false;
-  T lift = T(0.0);
-  for (size_t i = 0; i < blocks.size(); ++i) {  // components and garages come first
-    const BlockSample<T> sample = sample_block(blocks[i], x, y, support);
-    if (!(sample.coverage > T(0.0))) continue;
-    if (stands_on_roof(sources[i].role)) {
-      const T gain = sample.coverage * (sample.height - main);
-      if (gain > lift) lift = gain;
+Layers<T> layers_at(std::span<const Block<T>> blocks, const P& x, const P& y, double support) {
+  using namespace block_value;
+  Layers<T> out;
+  out.ground_share = T(1.0);
+  std::array<CoveredPart<T>, kMaxLayers> parts;
+  const double area = support * support;
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    Layer<T> layer;
+    layer.block = static_cast<int>(b);
+    CoveredPart<T> part;
+    if (support > 0.0) {
+      part = covered_part(blocks[b], x, y, support);
+      if (part.empty()) continue;
+      layer.height =
+          roof_height(blocks[b], (part.x0 + part.x1) * T(0.5), (part.y0 + part.y1) * T(0.5));
     } else {
-      const T height = sample.coverage * (sample.height - T(ground)) + T(ground);
-      if (!covered || height > main) main = height;
-      covered = true;
+      if (x < blocks[b][kX0] || x >= blocks[b][kX1] || y < blocks[b][kY0] || y >= blocks[b][kY1]) {
+        continue;
+      }
+      layer.height = roof_height(blocks[b], x, y);
+      if (out.count > 0 && layer.height <= out.layers[0].height) continue;
+      layer.share = T(1.0);
+      out.layers[0] = layer;
+      out.count = 1;
+      out.ground_share = T(0.0);
+      continue;
     }
+    int at = out.count;
+    while (at > 0 && out.layers[at - 1].height < layer.height) --at;
+    if (at == kMaxLayers) continue;
+    out.count = out.count < kMaxLayers ? out.count + 1 : kMaxLayers;
+    for (int i = out.count - 1; i > at; --i) {
+      out.layers[i] = out.layers[i - 1];
+      parts[i] = parts[i - 1];
+    }
+    out.layers[at] = layer;
+    parts[at] = part;
   }
-  return main + lift;
+  if (support <= 0.0) return out;
+  for (int k = 0; k < out.count; ++k) {
+    // Sum over the sets of higher layers of (-1)^|set| times the area common to the set and k.
+    T visible(0.0);
+    for (int set = 0; set < (1 << k); ++set) {
+      CoveredPart<T> common = parts[k];
+      bool odd = false;
+      for (int j = 0; j < k; ++j) {
+        if (!(set & (1 << j))) continue;
+        common = intersect(common, parts[j]);
+        odd = !odd;
+      }
+      if (common.empty()) continue;
+      visible = odd ? visible - common.area() : visible + common.area();
+    }
+    out.layers[k].share = visible * T(1.0 / area);
+    out.ground_share = out.ground_share - out.layers[k].share;
+  }
+  return out;
+}
+
+/// The height field of a house at (x, y) in the house frame over a terrain of height `ground` there
+/// (metres, relative to House::origin): the mean over the support of the upper envelope of all
+/// blocks, and the ground outside. With support = 0, the envelope itself. See
+/// docs/height-field.md.
+template <typename T, typename P>
+T height_at(std::span<const Block<T>> blocks, const P& x, const P& y, double support,
+            double ground) {
+  const Layers<T> seen = layers_at(blocks, x, y, support);
+  T height = seen.ground_share * T(ground);
+  for (int k = 0; k < seen.count; ++k) {
+    height = height + seen.layers[k].share * seen.layers[k].height;
+  }
+  return height;
 }
 
 /// The height field of a house with its current parameters, prepared for many samples.

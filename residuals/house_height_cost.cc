@@ -1,7 +1,6 @@
 #include <ceres/jet.h>
 #include <gable/grammar/height_field.h>
 #include <gable/residuals/house_height_cost.h>
-#include <gable/residuals/robust_loss.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +9,9 @@
 namespace gable {
 namespace {
 
-// Derivatives with respect to one block's values.
-using BlockJet = ceres::Jet<double, kNumBlockValues>;
+// Derivatives with respect to the values of `n` blocks, one after the other.
+template <int n>
+using BlocksJet = ceres::Jet<double, n * kNumBlockValues>;
 // Derivatives of a block's values with respect to its own rule and its footprint rule.
 using ChainJet = ceres::Jet<double, 2 * kMaxRuleParameters>;
 
@@ -28,11 +28,88 @@ struct ColumnRange {
   int end = 0;
 };
 
-struct PreparedBlock {
-  Block<double> block;
-  Block<BlockJet> jets;
-  bool on_roof = false;
+// A block with its values as independent variables, in slot `slot` of the jet.
+template <int n>
+Block<BlocksJet<n>> independent(const Block<double>& block, int slot) {
+  Block<BlocksJet<n>> out;
+  out.ridge = block.ridge;
+  out.flat = block.flat;
+  for (int k = 0; k < kNumBlockValues; ++k) {
+    out.values[k] = BlocksJet<n>(block[k], slot * kNumBlockValues + k);
+  }
+  return out;
+}
+
+// E(p) over the blocks given (metres squared).
+template <typename T>
+T sample_cost(std::span<const Block<T>> blocks, double x, double y, double support, double ground,
+              double height, const RobustLoss& loss) {
+  const Layers<T> seen = layers_at<T, double>(blocks, x, y, support);
+  T cost = seen.ground_share * loss.cost(ground - height);
+  for (int k = 0; k < seen.count; ++k) {
+    cost += seen.layers[k].share * loss.cost(seen.layers[k].height - height);
+  }
+  return cost;
+}
+
+// The blocks that a pixel sees, highest first, at most kMaxLayers.
+struct Seen {
+  int count = 0;
+  bool top_only = false;  // the highest block covers the whole support
+  std::array<int, kMaxLayers> blocks;
+  std::array<double, kMaxLayers> heights;
 };
+
+// The same choice as layers_at makes, and nothing below a block that covers the whole support.
+Seen seen_blocks(const std::vector<Block<double>>& blocks, const std::vector<ColumnRange>& ranges,
+                 int column, double x, double y, double support) {
+  Seen seen;
+  std::array<bool, kMaxLayers> full;
+  const double whole = support * support * (1.0 - 1e-12);
+  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
+    if (column < ranges[b].begin || column >= ranges[b].end) continue;
+    const auto part = covered_part<double, double>(blocks[b], x, y, support);
+    if (part.empty()) continue;
+    const double height = roof_height<double, double>(blocks[b], 0.5 * (part.x0 + part.x1),
+                                                      0.5 * (part.y0 + part.y1));
+    int at = seen.count;
+    while (at > 0 && seen.heights[at - 1] < height) --at;
+    if (at == kMaxLayers) continue;
+    seen.count = std::min(seen.count + 1, kMaxLayers);
+    for (int i = seen.count - 1; i > at; --i) {
+      seen.blocks[i] = seen.blocks[i - 1];
+      seen.heights[i] = seen.heights[i - 1];
+      full[i] = full[i - 1];
+    }
+    seen.blocks[at] = b;
+    seen.heights[at] = height;
+    full[at] = part.area() >= whole;
+  }
+  for (int k = 0; k < seen.count; ++k) {
+    if (!full[k]) continue;
+    seen.count = k + 1;
+    seen.top_only = k == 0;
+  }
+  return seen;
+}
+
+// The residual sqrt(weight E) of a pixel that sees `n` blocks and perhaps the ground, and its
+// derivatives by block.
+template <int n>
+double edge_residual(const std::vector<Block<double>>& blocks, const Seen& seen, double x, double y,
+                     double support, double ground, double height, double weight,
+                     const RobustLoss& loss, SumVector* derivatives) {
+  std::array<Block<BlocksJet<n>>, n> jets;
+  for (int k = 0; k < n; ++k) jets[k] = independent<n>(blocks[seen.blocks[k]], k);
+  const BlocksJet<n> cost = sample_cost<BlocksJet<n>>(jets, x, y, support, ground, height, loss);
+  // Far below a millimetre the root has no derivative, and no need of one.
+  const double residual = std::sqrt(weight * std::max(cost.a, 1e-12));
+  for (int k = 0; k < n; ++k) {
+    derivatives[k].template head<kNumBlockValues>() =
+        (0.5 * weight / residual) * cost.v.template segment<kNumBlockValues>(k * kNumBlockValues);
+  }
+  return residual;
+}
 
 // Columns c for which low <= offset + slope * c <= high.
 void clip_columns(double offset, double slope, double low, double high, ColumnRange* range) {
@@ -75,7 +152,7 @@ HouseHeightEvaluator::HouseHeightEvaluator(const House& house, const HeightImage
     offsets_.push_back(num_parameters_);
     num_parameters_ += rule->size();
   }
-  const SoftL1 loss(options_.loss_scale);
+  const RobustLoss loss(options_.loss, options_.loss_scale);
   const int stride = options_.stride;
   const int used_cols = (image->cols + stride - 1) / stride;
   for (int row = 0; row < image->rows; row += stride) {
@@ -98,24 +175,21 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
   using namespace block_value;
   const std::vector<BlockSource> sources = block_sources(house_);
   const int num_blocks = static_cast<int>(sources.size());
-  std::vector<PreparedBlock> prepared(num_blocks);
-  for (int b = 0; b < num_blocks; ++b) {
-    const BlockSource& source = sources[b];
-    PreparedBlock& p = prepared[b];
-    p.block = expand_block<double>(
+  std::vector<Block<double>> blocks;
+  blocks.reserve(num_blocks);
+  for (const BlockSource& source : sources) {
+    blocks.push_back(expand_block<double>(
         house_, source, parameters[source.own_rule],
-        source.footprint_rule < 0 ? nullptr : parameters[source.footprint_rule]);
-    p.on_roof = stands_on_roof(source.role);
-    if constexpr (kDerivatives) {
-      p.jets.ridge = p.block.ridge;
-      p.jets.flat = p.block.flat;
-      for (int k = 0; k < kNumBlockValues; ++k) p.jets.values[k] = BlockJet(p.block[k], k);
-    }
+        source.footprint_rule < 0 ? nullptr : parameters[source.footprint_rule]));
+  }
+  std::vector<Block<BlocksJet<1>>> jets;
+  if constexpr (kDerivatives) {
+    for (const Block<double>& block : blocks) jets.push_back(independent<1>(block, 0));
   }
 
   const double cosine = std::cos(parameters[0][0]);
   const double sine = std::sin(parameters[0][0]);
-  const SoftL1 loss(options_.loss_scale);
+  const RobustLoss loss(options_.loss, options_.loss_scale);
   const double support = options_.support;
   const int stride = options_.stride;
   const int used_cols = (image_->cols + stride - 1) / stride;
@@ -132,7 +206,7 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
     const double y_offset = -sine * local_x0 + cosine * local_y, y_slope = -sine * step;
     int begin = used_cols, end = 0;
     for (int b = 0; b < num_blocks; ++b) {
-      const Block<double>& block = prepared[b].block;
+      const Block<double>& block = blocks[b];
       ColumnRange range{0, used_cols};
       const double half = 0.5 * support;
       clip_columns(x_offset, x_slope, block[kX0] - half, block[kX1] + half, &range);
@@ -158,71 +232,64 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
       const double y = y_offset + y_slope * c;
       const double ground = image_->ground[i];
 
-      int main_block = -1, roof_block = -1;
-      double main = ground, lift = 0.0;
-      BlockSample<double> main_sample, roof_sample;
-      for (int b = 0; b < num_blocks; ++b) {
-        if (c < ranges[b].begin || c >= ranges[b].end) continue;
-        const auto sample = sample_block<double, double>(prepared[b].block, x, y, support);
-        if (!(sample.coverage > 0.0)) continue;
-        if (prepared[b].on_roof) {
-          const double gain = sample.coverage * (sample.height - main);
-          if (gain > lift) {
-            lift = gain;
-            roof_block = b;
-            roof_sample = sample;
-          }
+      const double height = image_->height[i];
+
+      const Seen seen = seen_blocks(blocks, ranges, c, x, y, support);
+      if (seen.count == 0) {
+        squared += weight * loss.cost(ground - height);
+        continue;
+      }
+      if constexpr (!kDerivatives) {
+        if (seen.top_only) {
+          squared += weight * loss.cost(seen.heights[0] - height);
         } else {
-          const double height = sample.coverage * (sample.height - ground) + ground;
-          if (main_block < 0 || height > main) {
-            main = height;
-            main_block = b;
-            main_sample = sample;
-          }
+          std::array<Block<double>, kMaxLayers> some;
+          for (int k = 0; k < kMaxLayers && k < seen.count; ++k) some[k] = blocks[seen.blocks[k]];
+          squared += weight * sample_cost<double>({some.data(), static_cast<size_t>(seen.count)}, x,
+                                                  y, support, ground, height, loss);
+        }
+        continue;
+      }
+      std::array<SumVector, kMaxLayers> v;
+      double residual;
+      int count = seen.count;
+      if (seen.top_only) {
+        count = 1;
+        double slope;
+        loss.evaluate(seen.heights[0] - height, &residual, &slope);
+        const double root_weight = weight == 1.0 ? 1.0 : std::sqrt(weight);
+        residual *= root_weight;
+        v[0].head<kNumBlockValues>() =
+            (slope * root_weight) * roof_height<BlocksJet<1>, double>(jets[seen.blocks[0]], x, y).v;
+      } else if (count == 1) {
+        residual =
+            edge_residual<1>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
+      } else if (count == 2) {
+        residual =
+            edge_residual<2>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
+      } else if (count == 3) {
+        residual =
+            edge_residual<3>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
+      } else {
+        residual =
+            edge_residual<4>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
+      }
+      squared += residual * residual;
+      for (int k = 0; k < count; ++k) {
+        // The azimuth moves the sample point: the residual depends on x only through x - x0 and
+        // x - x1 of every block, hence d/dx = -sum (d/dx0 + d/dx1), likewise y; and turning the
+        // house by d moves the point in the house frame by (y, -x) d.
+        const double dx = -(v[k][kX0] + v[k][kX1]);
+        const double dy = -(v[k][kY0] + v[k][kY1]);
+        v[k][kAzimuthRow] = dx * y - dy * x;
+        v[k][kResidualRow] = 0.0;
+        for (int l = 0; l < k; ++l) {
+          sums->pair(seen.blocks[l], seen.blocks[k]).noalias() += v[l] * v[k].transpose();
         }
       }
-      const double residual = main + lift - image_->height[i];
-      if constexpr (!kDerivatives) {
-        squared += weight * loss.cost(residual);
-        continue;
-      }
-      double robust, slope;
-      loss.evaluate(residual, &robust, &slope);
-      const double root_weight = weight == 1.0 ? 1.0 : std::sqrt(weight);
-      robust *= root_weight;
-      slope *= root_weight;
-      squared += robust * robust;
-
-      // d h / d (values of a block), and the azimuth through the sample point: h depends on x only
-      // through x - x0 and x - x1, hence dh/dx = -(dh/dx0 + dh/dx1), likewise y; and turning the
-      // house by d moves the point in the house frame by (y, -x) d.
-      const auto fill = [&](int b, double scale_height, double scale_coverage, SumVector* v) {
-        const auto jet = sample_block<BlockJet, double>(prepared[b].jets, x, y, support);
-        v->head<kNumBlockValues>() =
-            slope * (scale_height * jet.height.v + scale_coverage * jet.coverage.v);
-        const double dx = -((*v)[kX0] + (*v)[kX1]);
-        const double dy = -((*v)[kY0] + (*v)[kY1]);
-        (*v)[kAzimuthRow] = dx * y - dy * x;
-        (*v)[kResidualRow] = 0.0;
-      };
-      if (main_block < 0 && roof_block < 0) continue;
-      SumVector v, w;
-      const double through = roof_block < 0 ? 1.0 : 1.0 - roof_sample.coverage;
-      if (main_block >= 0) {
-        fill(main_block, through * main_sample.coverage, through * (main_sample.height - ground),
-             &v);
-      }
-      if (roof_block < 0) {
-        v[kResidualRow] = robust;
-        sums->pair(main_block, main_block).noalias() += v * v.transpose();
-        continue;
-      }
-      fill(roof_block, roof_sample.coverage, roof_sample.height - main, &w);
-      w[kResidualRow] = robust;
-      sums->pair(roof_block, roof_block).noalias() += w * w.transpose();
-      if (main_block >= 0) {
-        sums->pair(main_block, main_block).noalias() += v * v.transpose();
-        sums->pair(main_block, roof_block).noalias() += v * w.transpose();
+      for (int k = 0; k < count; ++k) {
+        v[k][kResidualRow] = residual;
+        sums->pair(seen.blocks[k], seen.blocks[k]).noalias() += v[k] * v[k].transpose();
       }
     }
   }
@@ -298,12 +365,8 @@ void HouseHeightEvaluator::normal_equations(double const* const* parameters,
         for (size_t j = 0; j < chains[b].columns.size(); ++j) {
           const int row = chains[a].columns[i], col = chains[b].columns[j];
           add(row, col, product(i, j));
-          if (a != b) {
-            // The transposed pair. Its J'r part was summed with block b's own, so only J'J.
-            if (row != num_parameters_ && col != num_parameters_) {
-              normal->jtj(col, row) += product(i, j);
-            }
-          }
+          // Pairs of two blocks are summed once and carry no residual.
+          if (a != b) add(col, row, product(i, j));
         }
       }
     }

@@ -4,6 +4,7 @@
 #include <gable/grammar/house.h>
 #include <gable/residuals/compressed.h>
 #include <gable/residuals/height_image.h>
+#include <gable/residuals/robust_loss.h>
 
 #include <vector>
 
@@ -11,18 +12,26 @@ namespace gable {
 
 /// How a house's height field is compared with a height image.
 struct HeightCostOptions {
-  double support = 0.5;     ///< width of a sample's square support, metres, (0, 100]
-  double loss_scale = 0.3;  ///< soft L1 scale, metres, (0, 100]
+  double support = 0.5;  ///< width of a sample's square support, metres, (0, 100]
+  LossKind loss = LossKind::kSoftL1;
+  double loss_scale = 0.3;  ///< metres, (0, 100]
   int stride = 1;           ///< every stride-th pixel of every stride-th row is used, >= 1
 };
 
-/// The comparison of one house with one height image: per used pixel i the robust residual
-///   robust(h(p_i; parameters, support, ground_i) - height_i),
-/// robust() of SoftL1, h of grammar/height_field.h. Parameter blocks: House::derivation().
+/// The comparison of one house with one height image. A sample p sees the layers k of
+/// grammar/height_field.h with heights z_k and visible shares w_k, and the terrain with the rest.
+/// A height image holds first returns, which come from one surface each and are no means over the
+/// support; so the sample costs the mean of what its layers would cost,
 ///
-/// Pixels are never resampled: the azimuth turns the sample points. A pixel sees at most one
-/// standing block and one block on the roof, so derivatives are taken with respect to these blocks'
-/// eight values only and summed per block; the chain to the parameters is applied once to the sums.
+///   E(p) = sum_k w_k rho(z_k - height) + w_ground rho(ground - height),
+///
+/// and its residual is sqrt(E), signed where it sees one layer only. Edges feel every pixel that
+/// would fit better on their other side, whatever the loss, and roofs are not bent by pixels
+/// beside them. Parameter blocks: House::derivation().
+///
+/// Pixels are never resampled: the azimuth turns the sample points. Derivatives are taken with
+/// respect to the values of the blocks that a pixel sees and summed per pair of blocks; the chain
+/// to the parameters is applied once to the sums.
 class HouseHeightEvaluator {
  public:
   /// `house` gives the structure (kinds and numbers of rules), `image` must outlive this object.

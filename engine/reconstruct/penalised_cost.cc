@@ -22,8 +22,8 @@ double parameter_price(const HeightImage& image) {
 
 PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options) {
-  const HouseHeightEvaluator evaluator(house, &image,
-                                       HeightCostOptions{options.support, options.loss_scale, 1});
+  const HouseHeightEvaluator evaluator(
+      house, &image, HeightCostOptions{options.support, options.loss, options.loss_scale, 1});
   std::vector<const double*> parameters;
   for (const Rule* rule : house.derivation()) parameters.push_back(rule->values.data());
   PenalisedCost cost;

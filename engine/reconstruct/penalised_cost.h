@@ -2,6 +2,7 @@
 
 #include <gable/grammar/house.h>
 #include <gable/residuals/height_image.h>
+#include <gable/residuals/robust_loss.h>
 
 namespace gable {
 
@@ -21,7 +22,8 @@ struct PenalisedCost {
 
 /// Scales of the penalised cost.
 struct PenaltyOptions {
-  double support = 0.5;     ///< metres
+  double support = 0.5;  ///< metres
+  LossKind loss = LossKind::kSoftL1;
   double loss_scale = 0.3;  ///< metres
   double noise = 0.15;      ///< sigma, metres, > 0
 };

@@ -22,7 +22,7 @@ double shape_at(double u, double v, double length, double width, double start_ru
 
 RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis ridge,
                  double loss_scale, double rise_penalty) {
-  const SoftL1 loss(loss_scale);
+  const RobustLoss loss(LossKind::kSoftL1, loss_scale);
   const int n = rectangle.cols() * rectangle.rows();
   const bool along_x = ridge == Axis::kX;
   const double length = (along_x ? rectangle.cols() : rectangle.rows()) * view.cell;

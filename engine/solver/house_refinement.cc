@@ -63,13 +63,13 @@ std::string check(const RefinementOptions& options) {
   if (options.stages.empty()) return "stages must not be empty";
   for (const RefinementStage& stage : options.stages) {
     if (!(stage.support > 0.0 && stage.support <= 100.0)) return "support must lie in (0, 100]";
+    if (!(stage.loss_scale > 0.0 && stage.loss_scale <= 100.0)) {
+      return "loss_scale must lie in (0, 100]";
+    }
     if (stage.stride < 1 || stage.stride > 64) return "stride must lie in [1, 64]";
     if (stage.max_iterations < 1 || stage.max_iterations > 1000) {
       return "max_iterations must lie in [1, 1000]";
     }
-  }
-  if (!(options.loss_scale > 0.0 && options.loss_scale <= 100.0)) {
-    return "loss_scale must lie in (0, 100]";
   }
   if (!(options.function_tolerance >= 0.0 && options.function_tolerance < 1.0)) {
     return "function_tolerance must lie in [0, 1)";
@@ -92,7 +92,8 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
   for (size_t s = 0; s < options.stages.size(); ++s) {
     const RefinementStage& stage = options.stages[s];
     auto cost = std::make_unique<HouseHeightCost>(
-        *house, &image, HeightCostOptions{stage.support, options.loss_scale, stage.stride});
+        *house, &image,
+        HeightCostOptions{stage.support, stage.loss, stage.loss_scale, stage.stride});
     summary.num_samples = cost->evaluator().num_samples();
     ceres::Problem::Options problem_options;
     problem_options.disable_all_safety_checks = true;

@@ -3,6 +3,7 @@
 #include <gable/engine/solver/minimizer.h>
 #include <gable/grammar/house.h>
 #include <gable/residuals/height_image.h>
+#include <gable/residuals/robust_loss.h>
 
 #include <string>
 #include <vector>
@@ -11,18 +12,22 @@ namespace gable {
 
 /// One stage of the annealed refinement.
 struct RefinementStage {
-  double support = 0.5;     ///< width of the samples' support, metres, (0, 100]
+  double support = 0.5;  ///< width of the samples' support, metres, (0, 100]
+  LossKind loss = LossKind::kSoftL1;
+  double loss_scale = 0.3;  ///< metres, (0, 100]
   int stride = 1;           ///< use every stride-th pixel of every stride-th row, [1, 64]
   int max_iterations = 20;  ///< [1, 1000]
 };
 
 /// How a house is refined against a height image (NPR section 4.5).
 struct RefinementOptions {
-  /// Stages in order, wide supports first: a wide support pulls edges from far away, a narrow one
-  /// places them exactly.
-  std::vector<RefinementStage> stages = {{2.0, 1, 20}, {0.5, 1, 20}};
-  double loss_scale = 0.3;           ///< soft L1 scale, metres, (0, 100]
-  double function_tolerance = 1e-4;  ///< relative change of the cost that ends a stage, [0, 1)
+  /// Stages in order. A wide support pulls edges from far away and a loss that never saturates
+  /// pulls heights from far away; a narrow support places edges exactly, and a saturating loss does
+  /// not listen to trees.
+  std::vector<RefinementStage> stages = {{1.5, LossKind::kSoftL1, 0.3, 1, 30},
+                                         {0.5, LossKind::kGemanMcClure, 0.5, 1, 20},
+                                         {0.25, LossKind::kGemanMcClure, 0.5, 1, 20}};
+  double function_tolerance = 1e-5;  ///< relative change of the cost that ends a stage, [0, 1)
   bool refine_azimuth = true;
   /// Positions (House::derivation) of the rules to refine; the others stay. Empty: all.
   std::vector<int> only_rules;

@@ -81,14 +81,13 @@ void plain_normal_equations(const House& house, const HeightImage& image,
     for (double v : rule->parameters()) parameters.back().push_back(WideJet(v, n++));
   }
   ASSERT_LE(n, kMaxParameters);
-  const auto sources = block_sources(house);
   std::vector<Block<WideJet>> blocks;
-  for (const BlockSource& s : sources) {
+  for (const BlockSource& s : block_sources(house)) {
     blocks.push_back(expand_block<WideJet>(
         house, s, parameters[s.own_rule].data(),
         s.footprint_rule < 0 ? nullptr : parameters[s.footprint_rule].data()));
   }
-  const SoftL1 loss(options.loss_scale);
+  const RobustLoss loss(options.loss, options.loss_scale);
   const WideJet cosine = cos(parameters[0][0]), sine = sin(parameters[0][0]);
   normal->set_zero(n);
   for (int row = 0; row < image.rows; row += options.stride) {
@@ -98,9 +97,18 @@ void plain_normal_equations(const House& house, const HeightImage& image,
       const Eigen::Vector2d p = image.center_of(row, col);
       const WideJet x = cosine * p.x() + sine * p.y();
       const WideJet y = cosine * p.y() - sine * p.x();
-      const WideJet h =
-          height_at<WideJet, WideJet>(blocks, sources, x, y, options.support, image.ground[i]);
-      const WideJet r = loss.robust(h - static_cast<double>(image.height[i]));
+      const auto seen = layers_at<WideJet, WideJet>(blocks, x, y, options.support);
+      const double z = image.height[i];
+      WideJet r;
+      if (seen.count > 0 && seen.layers[0].share.a == 1.0) {
+        r = loss.robust(seen.layers[0].height - z);
+      } else {
+        WideJet cost = seen.ground_share * loss.cost(image.ground[i] - z);
+        for (int k = 0; k < seen.count; ++k) {
+          cost += seen.layers[k].share * loss.cost(seen.layers[k].height - z);
+        }
+        r = sqrt(cost);
+      }
       const Eigen::VectorXd j = r.v.head(n);
       normal->jtj += j * j.transpose();
       normal->jtr += j * r.a;
@@ -120,7 +128,10 @@ TEST(HouseHeightCost, NormalEquationsEqualThePlainOnesPixelByPixel) {
     Random random(seed);
     const House house = rich_house(kFoundations[seed % 5], &random);
     const HeightImage image = noisy_image(seed);
-    const HeightCostOptions options{random.chance(0.5) ? 2.0 : 0.5, 0.3, random.integer(1, 2)};
+    const HeightCostOptions options{
+        random.chance(0.5) ? 2.0 : 0.5,
+        random.chance(0.5) ? LossKind::kSoftL1 : LossKind::kGemanMcClure, 0.3,
+        random.integer(1, 2)};
     NormalEquations plain, fast;
     plain_normal_equations(house, image, options, &plain);
     const HouseHeightEvaluator evaluator(house, &image, options);
@@ -138,7 +149,7 @@ TEST(HouseHeightCost, CompressedCostGradientAndHessianEqualThePlainOnes) {
     Random random(seed);
     const House house = rich_house(kFoundations[seed % 5], &random);
     const HeightImage image = noisy_image(seed);
-    const HeightCostOptions options{0.5, 0.3, 1};
+    const HeightCostOptions options{0.5, LossKind::kSoftL1, 0.3, 1};
     NormalEquations plain;
     plain_normal_equations(house, image, options, &plain);
     const HouseHeightCost cost(house, &image, options);
@@ -172,8 +183,8 @@ TEST(HouseHeightCost, GroundOnlyImageCostsWhatItsPixelsCost) {
   const HeightImage image = noisy_image(7);
   House house = make_house(Foundation::kI);
   house.footprints[0][0] = 1000.0;  // far outside the image
-  const HouseHeightEvaluator evaluator(house, &image, {0.5, 0.3, 1});
-  const SoftL1 loss(0.3);
+  const HouseHeightEvaluator evaluator(house, &image, {0.5, LossKind::kSoftL1, 0.3, 1});
+  const RobustLoss loss(LossKind::kSoftL1, 0.3);
   double expected = 0.0;
   for (size_t i = 0; i < image.size(); ++i) {
     if (image.weight[i] > 0.0f) {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <gable/residuals/height_image.h>
+
+#include <vector>
+
+namespace gable {
+
+/// What tells tree crowns from roofs.
+struct VegetationOptions {
+  double roughness = 0.17;    ///< least deviation from any plane nearby, metres, > 0
+  double least_height = 1.0;  ///< lower pixels are never vegetation, metres over the terrain
+  double least_width = 1.4;   ///< narrower rough patches are kept: chimneys, masts, metres
+};
+
+/// Marks (1) the pixels of tree crowns: those that lie in no smooth 3 x 3 neighbourhood. Each of
+/// the nine neighbourhoods that hold a pixel (cells about 0.5 m apart) is fitted with a plane; on
+/// roofs, also beside walls and ridges, one of them is smooth, in a crown of first returns none is.
+std::vector<unsigned char> find_vegetation(const HeightImage& image,
+                                           const VegetationOptions& options);
+
+/// Sets the weights of crowns to 0. Returns how many pixels that were.
+int leave_out_vegetation(const VegetationOptions& options, HeightImage* image);
+
+}  // namespace gable
