@@ -24,7 +24,7 @@ T component_distance(const Block<T>& b, const T& x, const T& y) {
 OutlineToFootprint::OutlineToFootprint(const House& house,
                                        const std::vector<Eigen::Vector2d>& outline,
                                        const OutlineOptions& options)
-    : house_(house), loss_(options.loss_scale) {
+    : house_(house), loss_(LossKind::kSoftL1, options.loss_scale) {
   for (size_t i = 0; i < outline.size(); ++i) {
     const Eigen::Vector2d& from = outline[i];
     const Eigen::Vector2d edge = outline[(i + 1) % outline.size()] - from;

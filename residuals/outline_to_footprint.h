@@ -59,7 +59,7 @@ class OutlineToFootprint : public ceres::CostFunction {
   };
 
   House house_;
-  SoftL1 loss_;
+  RobustLoss loss_;
   std::vector<Sample> samples_;
 };
 

@@ -1,0 +1,147 @@
+#include <gable/engine/reconstruct/azimuth.h>
+#include <gable/engine/reconstruct/block_search.h>
+#include <gable/engine/reconstruct/house_choice.h>
+#include <gable/engine/reconstruct/rectified_view.h>
+#include <gable/engine/reconstruct/roof_simplification.h>
+#include <gable/grammar/height_field.h>
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gable {
+namespace {
+
+// Beyond this many inside pixels the first stage looks at every second pixel of every second row.
+constexpr int kManyPixels = 1500;
+
+// Robust standard deviation of the heights around a house over the inside pixels it covers.
+double noise_around(const HeightImage& image, const House& house, double fallback) {
+  const HeightField field(house);
+  std::vector<double> errors;
+  for (int row = 0; row < image.rows; ++row) {
+    for (int col = 0; col < image.cols; ++col) {
+      const size_t i = image.index(row, col);
+      if (!image.inside[i] || !(image.weight[i] > 0.0f)) continue;
+      const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
+      if (field.block_at_house(p) < 0) continue;
+      errors.push_back(std::abs(field.at_house(p, 0.0, 0.0) - image.height[i]));
+    }
+  }
+  if (errors.size() < 10) return fallback;
+  std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
+  return 1.4826 * errors[errors.size() / 2];
+}
+
+int count_inside(const HeightImage& image) {
+  return static_cast<int>(std::count(image.inside.begin(), image.inside.end(), 1));
+}
+
+RefinementSummary refine(const HeightImage& image, std::vector<RefinementStage> stages,
+                         bool deviations, House* house) {
+  RefinementOptions options;
+  options.stages = std::move(stages);
+  options.function_tolerance = 1e-4;
+  options.deviations = deviations;
+  return refine_house(image, options, house);
+}
+
+}  // namespace
+
+std::string check(const HouseChoiceOptions& options) {
+  if (options.per_foundation < 1 || options.per_foundation > 10) {
+    return "per_foundation must lie in [1, 10]";
+  }
+  if (options.finalists < 1 || options.finalists > 20) return "finalists must lie in [1, 20]";
+  if (!(options.least_noise > 0.0)) return "least_noise must be positive";
+  if (!(options.most_noise >= options.least_noise)) return "most_noise is below least_noise";
+  return "";
+}
+
+HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& options) {
+  CHECK(check(options).empty()) << check(options);
+  HouseChoice choice;
+  const int inside = count_inside(image);
+  const int stride = inside > kManyPixels ? 2 : 1;
+
+  std::vector<Candidate> candidates;
+  const double separation = 7.0 * M_PI / 180.0;
+  for (const AzimuthCandidate& azimuth : azimuth_candidates(image, separation)) {
+    const double cell =
+        std::max({image.gsd, 0.5, std::sqrt(inside * image.gsd * image.gsd) / 60.0});
+    const RectifiedView view = rectify(image, azimuth.azimuth, cell, 1.5);
+    BlockSearchOptions search;
+    search.per_foundation = options.per_foundation;
+    for (Hypothesis& hypothesis : search_blocks(view, image.origin, search)) {
+      candidates.push_back({std::move(hypothesis.house), {}});
+    }
+  }
+  choice.hypotheses = static_cast<int>(candidates.size());
+  if (candidates.empty()) return choice;
+
+  PenaltyOptions penalty;
+  penalty.support = 0.5;
+  penalty.loss = LossKind::kGemanMcClure;
+  penalty.loss_scale = 0.5;
+  for (Candidate& c : candidates) {
+    refine(image, {{1.5, LossKind::kSoftL1, 0.3, stride, 12}}, false, &c.house);
+    c.cost = penalised_cost(image, c.house, penalty);
+  }
+  const auto cheaper = [](const Candidate& a, const Candidate& b) {
+    return a.cost.total < b.cost.total;
+  };
+  std::stable_sort(candidates.begin(), candidates.end(), cheaper);
+
+  // The best of each type first, then second ones, while there is room.
+  std::vector<Candidate> finalists;
+  for (int round = 0; round < 2; ++round) {
+    for (const Candidate& c : candidates) {
+      if (static_cast<int>(finalists.size()) >= options.finalists) break;
+      const bool known = std::any_of(finalists.begin(), finalists.end(), [&](const Candidate& f) {
+        return f.house.foundation == c.house.foundation;
+      });
+      if (known == (round == 1)) finalists.push_back(c);
+    }
+  }
+  for (Candidate& c : finalists) {
+    refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 12}}, false, &c.house);
+  }
+  double noise = options.most_noise;
+  for (const Candidate& c : finalists) {
+    noise = std::min(noise, noise_around(image, c.house, options.most_noise));
+  }
+  penalty.noise = std::clamp(noise, options.least_noise, options.most_noise);
+  choice.noise = penalty.noise;
+
+  LeftoverOptions leftovers;
+  leftovers.penalty = penalty;
+  for (Candidate& c : finalists) {
+    if (simplify_roofs(image, penalty, &c.house) + add_leftovers(image, leftovers, &c.house) > 0) {
+      refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
+      add_leftovers(image, leftovers, &c.house);
+    }
+    refine(image, {{0.25, LossKind::kGemanMcClure, 0.5, 1, 12}}, false, &c.house);
+    drop_unpaid(image, penalty, &c.house);
+    c.cost = penalised_cost(image, c.house, penalty);
+  }
+  std::stable_sort(finalists.begin(), finalists.end(), cheaper);
+  choice.finalists = finalists;
+  choice.best = finalists.front();
+  simplify_roofs(image, penalty, &choice.best.house);
+  choice.summary =
+      refine(image, {{0.25, LossKind::kGemanMcClure, 0.5, 1, 15}}, true, &choice.best.house);
+  choice.best.cost = penalised_cost(image, choice.best.house, penalty);
+  const House nothing_there = [&] {
+    House far = choice.best.house;
+    far.dormers.clear();
+    far.chimneys.clear();
+    far.garages.clear();
+    for (Rule& f : far.footprints) f[0] += 1e6;
+    return far;
+  }();
+  choice.found = choice.best.cost.squared_residuals <
+                 penalised_cost(image, nothing_there, penalty).squared_residuals;
+  return choice;
+}
+
+}  // namespace gable
