@@ -1,0 +1,44 @@
+#pragma once
+
+#include <gable/engine/io/building.h>
+#include <gable/grammar/height_field.h>
+
+#include <Eigen/Core>
+#include <optional>
+
+namespace gable {
+
+/// What is seen from above at a point.
+struct SurfacePart {
+  int block = -1;  ///< index into BuildingSurface::blocks(), 0 for an extrusion, -1: the ground
+  BlockRole role = BlockRole::kComponent;  ///< of that block
+};
+
+/// The heights of a reconstructed building in the local frame of an image (world less `origin`,
+/// metres), whatever way the building came out.
+class BuildingSurface {
+ public:
+  BuildingSurface(const Building& building, const Eigen::Vector3d& origin);
+
+  /// Height above origin.z() at a point, averaged over a support (metres), over a terrain of height
+  /// `ground` above origin.z(). Extrusions are sampled at the point.
+  double height(const Eigen::Vector2d& point, double support, double ground) const;
+
+  SurfacePart part(const Eigen::Vector2d& point) const;
+
+  /// The house's height field; nullptr for an extrusion. Its local frame is this one less
+  /// `offset()`.
+  const HeightField* field() const { return field_ ? &*field_ : nullptr; }
+  const Eigen::Vector2d& offset() const { return offset_; }
+
+ private:
+  const Building& building_;
+  std::optional<HeightField> field_;
+  Eigen::Vector2d offset_;  ///< the building's origin in the image's local frame
+  double offset_z_;
+};
+
+/// Whether a point lies inside a polygon and outside its holes (even-odd rule).
+bool contains(const PlanPolygon& polygon, const Eigen::Vector2d& point);
+
+}  // namespace gable
