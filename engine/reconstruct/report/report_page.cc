@@ -41,12 +41,13 @@ std::string row(const HouseEntry& entry) {
 }
 
 std::string figure(const HouseEntry& entry) {
-  std::string html = "<figure id=\"" + anchor(entry) + "\"><img loading=\"lazy\" src=\"" +
-                     html_escaped(entry.picture) +
-                     "\" alt=\"Heights, model, residual and parts of " + html_escaped(entry.id) +
-                     "\">\n<figcaption><b>" + html_escaped(entry.id) +
-                     "</b> <span class=\"figures\">" + entry.status + ", foundation " +
-                     entry.foundation + ", MAD " + meters(entry.quality.mad) + " m</span>";
+  const std::string picture = html_escaped(entry.picture), id = html_escaped(entry.id);
+  std::string html = "<figure id=\"" + anchor(entry) + "\"><a href=\"" + picture +
+                     "\"><img loading=\"lazy\" src=\"" + picture +
+                     "\" alt=\"Heights, model, residual and parts of " + id +
+                     "\"></a>\n<figcaption><b>" + id + "</b> <span class=\"figures\">" +
+                     entry.status + ", foundation " + entry.foundation + ", MAD " +
+                     meters(entry.quality.mad) + " m</span>";
   if (!entry.reason.empty()) {
     html += "<br><span class=\"extrusion\">" + html_escaped(entry.reason) + "</span>";
   }

@@ -1,0 +1,25 @@
+# The README shows the examples as they are built: every block after <!-- examples/X.cc --> has to be
+# the text of that file. Called with -D ROOT.
+file(READ ${ROOT}/README.md readme)
+string(REGEX MATCHALL "<!-- examples/[a-z0-9_]+\\.cc -->" marks "${readme}")
+if(NOT marks)
+  message(FATAL_ERROR "README.md shows no example")
+endif()
+foreach(mark ${marks})
+  string(REGEX REPLACE "<!-- (.*) -->" "\\1" path "${mark}")
+  file(READ ${ROOT}/${path} text)
+  string(FIND "${readme}" "${mark}\n```cpp\n${text}```\n" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "README.md does not show ${path} as it is")
+  endif()
+endforeach()
+
+# Links to files of the tree lead somewhere. A lone bracket would spoil CMake's lists.
+string(REPLACE "](" "<link>" readme "${readme}")
+string(REGEX MATCHALL "<link>[A-Za-z0-9_./-]+\\)" links "${readme}")
+foreach(link ${links})
+  string(REGEX REPLACE "<link>(.*)\\)" "\\1" path "${link}")
+  if(NOT EXISTS ${ROOT}/${path})
+    message(FATAL_ERROR "README.md links to ${path}, which does not exist")
+  endif()
+endforeach()
