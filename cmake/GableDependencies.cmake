@@ -1,4 +1,4 @@
-# Every library comes from the system (Debian 12 / Ubuntu packages); ./dev installs them.
+# Every library comes from the system (Debian 12, Ubuntu 24.04 packages); ./dev installs them.
 find_package(Eigen3 3.4 REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 find_package(Threads REQUIRED)
