@@ -3,6 +3,7 @@
 #include <ceres/manifold.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace gable {
 

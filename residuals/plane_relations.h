@@ -54,7 +54,8 @@ class OrthogonalPlanes {
 
 /// Coplanar: five residuals. First those of ParallelPlanes with `angle_weight`; then, in metres
 /// times `distance_weight`, the signed distances of each plane's centroid (of its points, kept
-/// fixed, same frame) to the other plane.
+/// fixed, in the frame of the other plane) to the other plane. The planes may have frames of their
+/// own that differ by a shift.
 class CoplanarPlanes {
  public:
   CoplanarPlanes(const Eigen::Vector3d& centroid_a, const Eigen::Vector3d& centroid_b,
