@@ -1,5 +1,4 @@
 #include <benchmark/benchmark.h>
-#include <ceres/loss_function.h>
 #include <ceres/numeric_diff_cost_function.h>
 #include <ceres/solver.h>
 #include <gable/engine/solver/house_refinement.h>
@@ -17,8 +16,16 @@
 namespace gable {
 namespace {
 
-constexpr double kSupports[] = {2.0, 0.5};
-constexpr double kLossScale = 0.3;
+// The stages of all three.
+const std::vector<RefinementStage>& stages() {
+  static const std::vector<RefinementStage> kStages = {{2.0, LossKind::kSoftL1, 0.3, 1, 20},
+                                                       {0.5, LossKind::kSoftL1, 0.3, 1, 20}};
+  return kStages;
+}
+
+HeightCostOptions cost_options(const RefinementStage& stage) {
+  return {stage.support, stage.loss, stage.loss_scale, stage.stride};
+}
 
 struct Outcome {
   double cost = 0.0;
@@ -50,7 +57,7 @@ void solve(ceres::LinearSolverType solver, ceres::Problem* problem, Outcome* out
   const RefinementOptions defaults;
   ceres::Solver::Options options;
   options.linear_solver_type = solver;
-  options.max_num_iterations = defaults.stages[0].max_iterations;
+  options.max_num_iterations = stages()[0].max_iterations;
   options.function_tolerance = defaults.function_tolerance;
   options.num_threads = 1;
   options.logging_type = ceres::SILENT;
@@ -63,9 +70,7 @@ void solve(ceres::LinearSolverType solver, ceres::Problem* problem, Outcome* out
 Outcome refine_with_gable(const TwoBlockScene& scene) {
   House house = scene.start;
   RefinementOptions options;
-  options.stages.clear();
-  for (double support : kSupports) options.stages.push_back({support, 1, 20});
-  options.loss_scale = kLossScale;
+  options.stages = stages();
   options.deviations = false;
   const RefinementSummary summary = refine_house(scene.image, options, &house);
   return {summary.final_cost, summary.iterations};
@@ -75,15 +80,15 @@ Outcome refine_with_gable(const TwoBlockScene& scene) {
 Outcome refine_per_pixel(const TwoBlockScene& scene) {
   House house = scene.start;
   Outcome outcome;
-  for (double support : kSupports) {
+  for (const RefinementStage& stage : stages()) {
     ceres::Problem problem;
     for (int row = 0; row < scene.image.rows; ++row) {
       for (int col = 0; col < scene.image.cols; ++col) {
         const size_t i = scene.image.index(row, col);
         problem.AddResidualBlock(PixelHeightResidual::create<4, 2>(
                                      house, scene.image.center_of(row, col), scene.image.height[i],
-                                     scene.image.ground[i], support),
-                                 new ceres::SoftLOneLoss(kLossScale), blocks_of(&house));
+                                     scene.image.ground[i], cost_options(stage)),
+                                 nullptr, blocks_of(&house));
       }
     }
     set_bounds(&house, &problem);
@@ -95,8 +100,8 @@ Outcome refine_per_pixel(const TwoBlockScene& scene) {
 // The robust residuals of the whole image as one function, for numeric differences.
 class ImageResiduals {
  public:
-  ImageResiduals(const House& house, const HeightImage& image, double support)
-      : house_(house), image_(&image), support_(support) {}
+  ImageResiduals(const House& house, const HeightImage& image, const HeightCostOptions& options)
+      : house_(house), image_(&image), options_(options) {}
 
   bool operator()(const double* azimuth, const double* footprint_a, const double* footprint_b,
                   const double* roof_a, const double* roof_b, double* residuals) const {
@@ -107,13 +112,17 @@ class ImageResiduals {
       std::copy_n(values[block++], rule->size(), rule->values.data());
     }
     const HeightField field(house);
-    const SoftL1 loss(kLossScale);
+    const RobustLoss loss(options_.loss, options_.loss_scale);
     for (int row = 0; row < image_->rows; ++row) {
       for (int col = 0; col < image_->cols; ++col) {
         const size_t i = image_->index(row, col);
-        const double height =
-            field.at_local(image_->center_of(row, col), support_, image_->ground[i]);
-        residuals[i] = loss.robust(height - image_->height[i]);
+        const Eigen::Vector2d p = field.house_from_local(image_->center_of(row, col));
+        const auto seen = layers_at<double, double>(field.blocks(), p.x(), p.y(), options_.support);
+        double cost = seen.ground_share * loss.cost(double{image_->ground[i]} - image_->height[i]);
+        for (int k = 0; k < seen.count; ++k) {
+          cost += seen.layers[k].share * loss.cost(seen.layers[k].height - image_->height[i]);
+        }
+        residuals[i] = std::sqrt(cost);
       }
     }
     return true;
@@ -122,18 +131,18 @@ class ImageResiduals {
  private:
   House house_;
   const HeightImage* image_;
-  double support_;
+  HeightCostOptions options_;
 };
 
 // Central differences of the whole image, as the paper's own implementation does.
 Outcome refine_numeric(const TwoBlockScene& scene) {
   House house = scene.start;
   Outcome outcome;
-  for (double support : kSupports) {
+  for (const RefinementStage& stage : stages()) {
     ceres::Problem problem;
     problem.AddResidualBlock(
         new ceres::NumericDiffCostFunction<ImageResiduals, ceres::CENTRAL, 64 * 64, 1, 4, 4, 4, 2>(
-            new ImageResiduals(house, scene.image, support)),
+            new ImageResiduals(house, scene.image, cost_options(stage))),
         nullptr, blocks_of(&house));
     set_bounds(&house, &problem);
     solve(ceres::DENSE_NORMAL_CHOLESKY, &problem, &outcome);

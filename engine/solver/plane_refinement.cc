@@ -33,7 +33,7 @@ WeightedPoints weigh(const std::vector<Eigen::Vector3d>& points,
                      const std::vector<std::vector<int>>& members,
                      const std::vector<Stiffness>& stiffnesses, double loss_scale,
                      const std::vector<OrientedPlane>& planes) {
-  const SoftL1 loss(loss_scale);
+  const RobustLoss loss(LossKind::kSoftL1, loss_scale);
   WeightedPoints out;
   for (size_t i = 0; i < planes.size(); ++i) {
     PointMoments moments;

@@ -4,22 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace gable {
 
-// The height field is smooth except on kinks, where it switches from one smooth formula to another:
-// which block is seen, which facet of it holds the support's centroid, which sides of the support
-// are cut off, which sides of a dormer end at the wall. A PixelState names the formula, so a pixel
-// whose state is the same at both ends and in the middle of a differencing interval is differenced
-// within one smooth formula, and its differences must equal the analytic derivative. Pixels whose
-// state changes are left out: they are few, and an exact derivative does not exist there.
-// All conditions are signs of functions that are monotone over intervals as short as the tests use.
+// What a pixel costs is smooth except on kinks, where it switches from one smooth formula to
+// another: which blocks are seen in which order, which facet holds the centroid of a block's
+// covered part, in which order the edges of the covered parts come, which sides of a dormer end at
+// the wall. A PixelState names the formula, so a pixel whose state is the same at both ends and in
+// the middle of a differencing interval is differenced within one smooth formula, and its
+// differences must equal the analytic derivative. Pixels whose state changes are left out: they are
+// few, and an exact derivative does not exist there. All conditions are signs of functions that are
+// monotone over intervals as short as the tests use.
 struct PixelState {
-  int main = -1;           // component or garage seen
-  int on_roof = -1;        // dormer or chimney seen
-  unsigned main_form = 0;  // facet and cut sides
-  unsigned on_roof_form = 0;
+  std::vector<int> blocks;  // highest first
+  std::vector<unsigned> forms;
+  std::vector<int> x_order, y_order;  // edges of the covered parts, sorted
   bool operator==(const PixelState&) const = default;
 };
 
@@ -38,52 +39,48 @@ inline int facet(const Block<double>& b, double x, double y) {
   return static_cast<int>(std::min_element(shares, shares + 4) - shares);
 }
 
-inline unsigned form(const Block<double>& b, double x, double y, double support) {
-  using namespace block_value;
-  const double half = 0.5 * support;
-  const bool cut[4] = {x - half<b[kX0], x + half> b[kX1], y - half<b[kY0], y + half> b[kY1]};
-  const double cx = 0.5 * (std::max(x - half, b[kX0]) + std::min(x + half, b[kX1]));
-  const double cy = 0.5 * (std::max(y - half, b[kY0]) + std::min(y + half, b[kY1]));
-  unsigned value = static_cast<unsigned>(facet(b, cx, cy));
-  for (bool c : cut) value = 2 * value + (c ? 1 : 0);
-  return value;
+// The edges' numbers in order of their values; equal edges (of one support) keep theirs.
+inline std::vector<int> order(const std::vector<double>& edges) {
+  std::vector<int> numbers(edges.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [&](int a, int b) { return edges[a] < edges[b]; });
+  return numbers;
 }
 
 }  // namespace kinks_internal
 
 inline PixelState pixel_state(const HeightField& field, const House& house,
-                              const Eigen::Vector2d& local, double support, double ground) {
+                              const Eigen::Vector2d& local, double support) {
   const Eigen::Vector2d p = field.house_from_local(local);
+  const auto& blocks = field.blocks();
+  const Layers<double> seen = layers_at<double, double>(blocks, p.x(), p.y(), support);
   PixelState state;
-  double main = ground, lift = 0.0;
-  for (size_t i = 0; i < field.blocks().size(); ++i) {
-    const Block<double>& block = field.blocks()[i];
-    const auto sample = sample_block<double, double>(block, p.x(), p.y(), support);
-    if (!(sample.coverage > 0.0)) continue;
-    const BlockSource& source = field.sources()[i];
-    const int id = static_cast<int>(i);
-    if (stands_on_roof(source.role)) {
-      const double gain = sample.coverage * (sample.height - main);
-      if (gain > lift) {
-        lift = gain;
-        state.on_roof = id;
-        state.on_roof_form = kinks_internal::form(block, p.x(), p.y(), support);
-        if (source.role == BlockRole::kDormer) {
-          const Block<double>& parent = field.blocks()[house.dormers[source.index].component];
-          for (int side = 0; side < 4; ++side) {
-            state.on_roof_form = 2 * state.on_roof_form + (block[side] == parent[side] ? 1 : 0);
-          }
-        }
-      }
-    } else {
-      const double height = sample.coverage * (sample.height - ground) + ground;
-      if (state.main < 0 || height > main) {
-        main = height;
-        state.main = id;
-        state.main_form = kinks_internal::form(block, p.x(), p.y(), support);
+  // The support's own edges come first: they tell which sides of a part are cut off.
+  std::vector<double> x_edges = {p.x() - 0.5 * support, p.x() + 0.5 * support};
+  std::vector<double> y_edges = {p.y() - 0.5 * support, p.y() + 0.5 * support};
+  for (int k = 0; k < seen.count; ++k) {
+    const int id = seen.layers[k].block;
+    const auto part = covered_part<double, double>(blocks[id], p.x(), p.y(), support);
+    x_edges.insert(x_edges.end(), {part.x0, part.x1});
+    y_edges.insert(y_edges.end(), {part.y0, part.y1});
+    unsigned form = static_cast<unsigned>(
+        kinks_internal::facet(blocks[id], 0.5 * (part.x0 + part.x1), 0.5 * (part.y0 + part.y1)));
+    const double cut[4] = {part.x0 - x_edges[0], x_edges[1] - part.x1, part.y0 - y_edges[0],
+                           y_edges[1] - part.y1};
+    for (double c : cut) form = 2 * form + (c > 0.0 ? 1 : 0);
+    const BlockSource& source = field.sources()[id];
+    if (source.role == BlockRole::kDormer) {
+      const Block<double>& parent = blocks[house.dormers[source.index].component];
+      for (int side = 0; side < 4; ++side) {
+        form = 2 * form + (blocks[id][side] == parent[side] ? 1 : 0);
       }
     }
+    state.blocks.push_back(id);
+    state.forms.push_back(form);
   }
+  state.x_order = kinks_internal::order(x_edges);
+  state.y_order = kinks_internal::order(y_edges);
   return state;
 }
 
@@ -121,18 +118,16 @@ inline std::vector<HeightField> moved_fields(const House& house, double step) {
 }
 
 inline bool is_smooth_around(const HeightField& center, const std::vector<HeightField>& fields,
-                             const House& house, const Eigen::Vector2d& local, double support,
-                             double ground) {
-  const PixelState state = pixel_state(center, house, local, support, ground);
+                             const House& house, const Eigen::Vector2d& local, double support) {
+  const PixelState state = pixel_state(center, house, local, support);
   return std::all_of(fields.begin(), fields.end(), [&](const HeightField& field) {
-    return pixel_state(field, house, local, support, ground) == state;
+    return pixel_state(field, house, local, support) == state;
   });
 }
 
 inline bool is_smooth_around(const House& house, const Eigen::Vector2d& local, double support,
-                             double ground, double step) {
-  return is_smooth_around(HeightField(house), moved_fields(house, step), house, local, support,
-                          ground);
+                             double step) {
+  return is_smooth_around(HeightField(house), moved_fields(house, step), house, local, support);
 }
 
 }  // namespace gable

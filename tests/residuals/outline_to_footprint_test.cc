@@ -39,7 +39,7 @@ TEST(OutlineToFootprint, SquaresIntegrateTheRobustDistanceAlongTheOutline) {
   double sum = 0.0;
   for (double r : residuals_of(house, outline, {0.25, 1.0, 3.0})) sum += r * r;
   // The two sides stick out by up to 1 m: integral of rho over [0, 1] twice.
-  const SoftL1 loss(1.0);
+  const RobustLoss loss(LossKind::kSoftL1, 1.0);
   double sides = 0.0;
   for (int i = 0; i < 4; ++i) sides += 2.0 * 0.25 * loss.cost(0.25 * (i + 0.5));
   EXPECT_NEAR(sum, 3.0 * (10.0 * loss.cost(1.0) + sides), 1e-9);

@@ -103,7 +103,7 @@ TEST(PlaneRefinement, EndsWhereNoMoveLowersTheRobustCostOfThePoints) {
       refine_planes(scan.points, scan.members, {}, options, &planes);
   EXPECT_EQ(summary.termination, Termination::kConverged);
   EXPECT_LT(summary.final_cost, summary.initial_cost);
-  const SoftL1 loss(options.loss_scale);
+  const RobustLoss loss(LossKind::kSoftL1, options.loss_scale);
   const auto cost = [&](size_t i, const OrientedPlane& plane) {
     double sum = 0.0;
     for (int m : scan.members[i]) sum += 0.5 * loss.cost(plane.signed_distance(scan.points[m]));
