@@ -46,16 +46,16 @@ constexpr ParameterSpec kRoof[] = {
 constexpr ParameterSpec kDormer[] = {
     {"center_x", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
     {"center_y", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
-    {"width", "m", 0.6, 12.0, 2.0, "common value (NPR 4.3)"},
-    {"depth", "m", 0.6, 12.0, 2.0, "common value (NPR 4.3)"},
+    {"width", "m", 0.6, 6.0, 2.0, "common value (NPR 4.3)"},
+    {"depth", "m", 0.6, 6.0, 2.0, "common value (NPR 4.3)"},
     {"eaves", "m", 0.5, 200.0, 6.5, "heights at the centre"},
-    {"rise", "m", 0.0, 10.0, 0.577, "roof at 30 degrees (NPR 4.3)"},
+    {"rise", "m", 0.0, 2.5, 0.577, "roof at 30 degrees (NPR 4.3)"},
 };
 
 constexpr ParameterSpec kChimney[] = {
     {"center_x", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
     {"center_y", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
-    {"side", "m", 0.4, 3.0, 0.7, "common value (NPR 4.3)"},
+    {"side", "m", 0.4, 1.6, 0.7, "common value (NPR 4.3)"},
     {"height", "m", 0.5, 200.0, 9.0, "roof height at the centre + 2.5 m (NPR 4.3)"},
 };
 

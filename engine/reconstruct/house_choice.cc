@@ -8,12 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gable {
 namespace {
 
 // Beyond this many inside pixels the first stage looks at every second pixel of every second row.
 constexpr int kManyPixels = 1500;
+
+// Noise that the wide stage's costs are priced with, metres.
+constexpr double kWideNoise = 0.2;
 
 // Robust standard deviation of the heights around a house over the inside pixels it covers.
 double noise_around(const HeightImage& image, const House& house, double fallback) {
@@ -53,6 +57,7 @@ std::string check(const HouseChoiceOptions& options) {
     return "per_foundation must lie in [1, 10]";
   }
   if (options.finalists < 1 || options.finalists > 20) return "finalists must lie in [1, 20]";
+  if (!(options.hopeless > 1.0)) return "hopeless must be above 1";
   if (!(options.least_noise > 0.0)) return "least_noise must be positive";
   if (!(options.most_noise >= options.least_noise)) return "most_noise is below least_noise";
   return "";
@@ -83,9 +88,15 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   penalty.support = 0.5;
   penalty.loss = LossKind::kGemanMcClure;
   penalty.loss_scale = 0.5;
+  // Ranked by what the wide stage minimises: edges are not in place yet.
+  double least = std::numeric_limits<double>::infinity();
   for (Candidate& c : candidates) {
-    refine(image, {{1.5, LossKind::kSoftL1, 0.3, stride, 12}}, false, &c.house);
-    c.cost = penalised_cost(image, c.house, penalty);
+    const RefinementSummary summary =
+        refine(image, {{1.5, LossKind::kSoftL1, 0.3, stride, 12}}, false, &c.house);
+    c.cost = derivation_cost(image, c.house);
+    c.cost.squared_residuals = 2.0 * summary.final_cost * stride * stride;
+    c.cost.total += c.cost.squared_residuals / (kWideNoise * kWideNoise);
+    least = std::min(least, c.cost.squared_residuals);
   }
   const auto cheaper = [](const Candidate& a, const Candidate& b) {
     return a.cost.total < b.cost.total;
@@ -94,13 +105,19 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
 
   // The best of each type first, then second ones, while there is room.
   std::vector<Candidate> finalists;
+  std::vector<char> taken(candidates.size(), 0);
   for (int round = 0; round < 2; ++round) {
-    for (const Candidate& c : candidates) {
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      const Candidate& c = candidates[i];
       if (static_cast<int>(finalists.size()) >= options.finalists) break;
-      const bool known = std::any_of(finalists.begin(), finalists.end(), [&](const Candidate& f) {
-        return f.house.foundation == c.house.foundation;
-      });
-      if (known == (round == 1)) finalists.push_back(c);
+      if (taken[i] || c.cost.squared_residuals > options.hopeless * least) continue;
+      const bool known =
+          std::any_of(finalists.begin(), finalists.end(), [&](const Candidate& f) {
+            return f.house.foundation == c.house.foundation;
+          });
+      if (known != (round == 1)) continue;
+      finalists.push_back(c);
+      taken[i] = 1;
     }
   }
   for (Candidate& c : finalists) {

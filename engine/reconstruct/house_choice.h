@@ -12,8 +12,10 @@ namespace gable {
 
 /// How a house is chosen among hypotheses.
 struct HouseChoiceOptions {
-  int per_foundation = 2;    ///< hypotheses of each foundation type and azimuth, [1, 10]
-  int finalists = 3;         ///< hypotheses refined to the end, [1, 20]
+  int per_foundation = 2;  ///< hypotheses of each foundation type and azimuth, [1, 10]
+  int finalists = 5;       ///< hypotheses refined to the end, [1, 20]
+  /// Hypotheses whose robust cost is more than this times the least are given up early, > 1.
+  double hopeless = 1.6;
   double least_noise = 0.1;  ///< of the heights, metres, > 0
   double most_noise = 0.4;   ///< metres, >= least_noise
 };

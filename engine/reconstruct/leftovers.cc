@@ -103,8 +103,7 @@ double fit_one(const HeightImage& window, int rule, double price, const PenaltyO
   const double scale = 1.0 / (penalty.noise * penalty.noise);
   const double gain = penalised_cost(window, before, penalty).squared_residuals -
                       penalised_cost(window, *house, penalty).squared_residuals;
-  const int size = house->derivation()[rule]->size();
-  return gain * scale - price * size;
+  return gain * scale - price * charged_parameters(*house->derivation()[rule]);
 }
 
 struct Proposal {
@@ -156,7 +155,7 @@ void propose_on_roof(const HeightImage& image, const Region& region, double pric
   House with = house;
   Rule chimney = make_rule(RuleKind::kChimney);
   const double side = std::sqrt((box.x1 - box.x0) * (box.y1 - box.y0));
-  chimney.values = {center.x(), center.y(), std::clamp(side, 0.5, 2.5), height};
+  chimney.values = {center.x(), center.y(), std::clamp(side, 0.5, 1.5), height};
   with.chimneys.push_back(chimney);
   const int chimney_block = with.chimney_block(static_cast<int>(house.chimneys.size()));
   keep_better(fit_one(window, chimney_block, price, options.penalty, house, 0.5, &with), with,

@@ -12,10 +12,12 @@ namespace gable {
 ///   J = S / sigma^2 + k ln N
 ///
 /// i.e. twice the negative log-likelihood under the robust loss plus the Bayesian information
-/// criterion's price. Lower is better; a rule pays if it lowers J.
+/// criterion's price. Lower is better; a rule pays if it lowers J. The wings of an L or a U share
+/// their eaves: they count as one parameter, and differences are charged as those of a Gaussian.
 struct PenalisedCost {
   double squared_residuals = 0.0;  ///< S, square metres
   int num_parameters = 0;          ///< k
+  double prior = 0.0;              ///< charge for eaves of an L or U that differ
   int num_samples = 0;             ///< N
   double total = 0.0;              ///< J
 };
@@ -30,6 +32,13 @@ struct PenaltyOptions {
 
 PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options);
+
+/// How many parameters of a rule are charged. Those that heights hardly change from what is common
+/// (a dormer's depth and rise, a chimney's side) carry no news and are free.
+int charged_parameters(const Rule& rule);
+
+/// The part of J that depends on the derivation alone: k ln N and the prior's charge.
+PenalisedCost derivation_cost(const HeightImage& image, const House& house);
 
 /// The price of one parameter, ln N.
 double parameter_price(const HeightImage& image);

@@ -70,7 +70,19 @@ std::vector<unsigned char> find_vegetation(const HeightImage& image,
   const int width = std::max(2, static_cast<int>(std::lround(options.least_width / image.gsd)));
   cv::Mat crowns;
   cv::morphologyEx(rough, crowns, cv::MORPH_OPEN, cv::Mat::ones(width, width, CV_8U));
-  return {crowns.begin<unsigned char>(), crowns.end<unsigned char>()};
+  // Gaps between leaves and the crowns' rims, whose neighbourhoods reach out to open ground.
+  const int rim = std::max(1, static_cast<int>(std::lround(options.rim / image.gsd)));
+  cv::morphologyEx(crowns, crowns, cv::MORPH_CLOSE, cv::Mat::ones(width + 1, width + 1, CV_8U));
+  cv::dilate(crowns, crowns, cv::Mat::ones(2 * rim + 1, 2 * rim + 1, CV_8U));
+  std::vector<unsigned char> out(image.size(), 0);
+  for (int row = 0; row < image.rows; ++row) {
+    for (int col = 0; col < image.cols; ++col) {
+      const size_t i = image.index(row, col);
+      out[i] = crowns.at<unsigned char>(row, col) != 0 &&
+               image.height[i] - image.ground[i] > options.least_height;
+    }
+  }
+  return out;
 }
 
 int leave_out_vegetation(const VegetationOptions& options, HeightImage* image) {
