@@ -10,9 +10,9 @@
 namespace gable {
 namespace {
 
-constexpr double kSamePoint = 2e-5;
-constexpr double kOnSegment = 5e-5;   // more than a point moves when it is merged
-constexpr double kBeside = 2e-4;      // where labels are read: well clear of kOnSegment
+constexpr double kSamePoint = 2e-6;
+constexpr double kOnSegment = 5e-6;   // more than a point moves when it is merged
+constexpr double kBeside = 2e-5;      // where labels are read: well clear of kOnSegment
 constexpr double kSameHeight = 1e-4;  // heights that count as touching at the end of an edge
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

@@ -47,9 +47,9 @@ struct PlanGraph {
 };
 
 /// Divides the plan along those parts of `segments` across which `label` changes, and wherever
-/// two of the `planes` named beside an edge cross along it. Points nearer than 0.02 mm become one.
-/// Returns nothing where the labels contradict each other, which is a sign of features finer than
-/// 0.2 mm.
+/// two of the `planes` named beside an edge cross along it. Points nearer than 2 micrometres become
+/// one. Returns nothing where the labels contradict each other, which is a sign of features finer
+/// than 0.02 mm.
 std::optional<PlanGraph> divide_plan(const std::vector<PlanSegment>& segments,
                                      const LabelFunction& label, const std::vector<Plane>& planes);
 
