@@ -1,15 +1,16 @@
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <gable/grammar/house.h>
 #include <gable/grammar/solid/solid.h>
 
+#include <string>
+#include <vector>
+
 namespace gable {
 
-/// Levels of detail, made by dropping nodes of the derivation: 1.2 has flat-topped blocks, 2.0 the
-/// main roofs and garages, 2.2 dormers and chimneys as well.
+/// Levels of detail, made by dropping nodes of the derivation: 1.2 has the components and garages
+/// with flat tops (a roof's at two thirds of its rise above the eaves), 2.0 the main roofs and
+/// garages, 2.2 dormers and chimneys as well.
 enum class Lod { k12, k20, k22 };
 
 /// What a part of a house stands for.
@@ -30,10 +31,20 @@ struct HouseSolids {
   std::vector<std::string> dropped;
 };
 
-/// The solids of a house at a level of detail. The main body is the upper envelope of the
-/// components' roofs down to `base` (metres above House::origin, usually <= 0); components that
-/// touch form one solid. A garage is the part of its polygon outside the main body (and earlier
-/// garages), a dormer or chimney what stands out of the envelope below it, closed by a bottom face.
+/// The solids of a house at a level of detail. The parts stand on one another in the order main,
+/// garages, dormers, chimneys: each is what its own blocks show above the upper envelope of all
+/// earlier ones, and reaches down to `base` (metres above House::origin, usually <= 0) where none
+/// of those stands. So parts do not overlap, and together they fill exactly the height field at
+/// support 0 above `base`.
+///
+/// Components that touch in more than an edge form one solid. A garage, dormer or chimney can fall
+/// into several parts of one index (a chimney cut by a garage roof, say). Bodies of less than 5
+/// litres are left out. Where a part rests on a roof its lower faces are ground surfaces.
+///
+/// Nearly coincident edges (2 cm) and heights (1 cm) are made equal, see BlockAlignment. Where a
+/// part would still not be valid, its blocks are moved by millimetres, at most 2.6 cm, until it is;
+/// main roofs that resist get flat tops and a line in `dropped`. Every solid passes check_solid,
+/// before and after rounding its vertices to 0.1 mm. Deterministic.
 HouseSolids build_house_solids(const House& house, Lod lod, double base);
 
 }  // namespace gable

@@ -1,0 +1,164 @@
+#include <gable/grammar/solid/roof_facets.h>
+
+#include <cmath>
+#include <utility>
+
+namespace gable {
+namespace {
+
+using Polygon = std::vector<Eigen::Vector2d>;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+// The part of a convex polygon where `keep` is not negative.
+Polygon clip(const Polygon& polygon, const Plane& keep) {
+  Polygon clipped;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Eigen::Vector2d& p = polygon[i];
+    const Eigen::Vector2d& q = polygon[(i + 1) % polygon.size()];
+    const double at_p = keep.at(p), at_q = keep.at(q);
+    if (at_p >= 0.0) clipped.push_back(p);
+    if ((at_p > 0.0 && at_q < 0.0) || (at_p < 0.0 && at_q > 0.0)) {
+      clipped.push_back(p + (q - p) * (at_p / (at_p - at_q)));
+    }
+  }
+  return clipped;
+}
+
+// Cuts the segment from `from` to `to` to the left side of the line through p and q.
+bool cut_to_left(const Eigen::Vector2d& p, const Eigen::Vector2d& q, PlanSegment* segment) {
+  const double at_from = cross(q - p, segment->from - p);
+  const double at_to = cross(q - p, segment->to - p);
+  if (at_from < 0.0 && at_to < 0.0) return false;
+  const Eigen::Vector2d from = segment->from, to = segment->to;
+  if (at_from < 0.0) segment->from = from + (to - from) * (at_from / (at_from - at_to));
+  if (at_to < 0.0) segment->to = from + (to - from) * (at_from / (at_from - at_to));
+  return true;
+}
+
+bool cut_to_polygon(const Polygon& polygon, PlanSegment* segment) {
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    if (!cut_to_left(polygon[i], polygon[(i + 1) % polygon.size()], segment)) return false;
+  }
+  return true;
+}
+
+Polygon rectangle(const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
+  return {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+}
+
+// The line where two planes meet, cut to a facet of each.
+bool meeting_line(const RoofFacet& facet, const RoofFacet& other, const std::vector<Plane>& planes,
+                  const Polygon& region, PlanSegment* segment) {
+  const Plane& p = planes[facet.plane];
+  const Plane& q = planes[other.plane];
+  const Eigen::Vector2d gradient(p.a - q.a, p.b - q.b);
+  const double slope = gradient.norm();
+  if (slope < 1e-9) return false;
+  const Eigen::Vector2d normal = gradient / slope;
+  const Eigen::Vector2d& near = facet.outline.front();
+  const Eigen::Vector2d foot = near - normal * ((p.at(near) - q.at(near)) / slope);
+  const Eigen::Vector2d along(-normal.y(), normal.x());
+  const double reach =
+      2.0 * (region[2] - region[0]).norm() + (near - region[0]).norm() + (foot - near).norm();
+  *segment = {foot - along * reach, foot + along * reach};
+  return cut_to_polygon(facet.outline, segment) && cut_to_polygon(other.outline, segment) &&
+         cut_to_polygon(region, segment);
+}
+
+}  // namespace
+
+int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& planes) const {
+  int lowest = facets.front().plane;
+  double height = planes[lowest].at(p);
+  for (const RoofFacet& facet : facets) {
+    const double z = planes[facet.plane].at(p);
+    if (z < height) {
+      height = z;
+      lowest = facet.plane;
+    }
+  }
+  return lowest;
+}
+
+FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes) {
+  using namespace block_value;
+  FacetedBlock faceted;
+  faceted.low = {block[kX0], block[kY0]};
+  faceted.high = {block[kX1], block[kY1]};
+  std::vector<Plane> roof;
+  if (block.flat) {
+    roof.push_back({0.0, 0.0, block[kEaves]});
+  } else {
+    const bool along_x = block.ridge == Axis::kX;
+    const double u0 = along_x ? block[kX0] : block[kY0];
+    const double u1 = along_x ? block[kX1] : block[kY1];
+    const double v0 = along_x ? block[kY0] : block[kX0];
+    const double v1 = along_x ? block[kY1] : block[kX1];
+    // A plane that leaves the eaves at coordinate `at` of axis u or v with a signed slope.
+    const auto rising = [&](bool over_u, double at, double slope) {
+      const bool over_x = over_u == along_x;
+      return Plane{over_x ? slope : 0.0, over_x ? 0.0 : slope, block[kEaves] - slope * at};
+    };
+    const double across = block[kRise] / (0.5 * (v1 - v0));
+    roof.push_back(rising(false, v0, across));
+    roof.push_back(rising(false, v1, -across));
+    if (block[kHipStart] > 0.0) {
+      roof.push_back(rising(true, u0, block[kRise] / (block[kHipStart] * (u1 - u0))));
+    }
+    if (block[kHipEnd] > 0.0) {
+      roof.push_back(rising(true, u1, -block[kRise] / (block[kHipEnd] * (u1 - u0))));
+    }
+  }
+  for (size_t i = 0; i < roof.size(); ++i) {
+    RoofFacet facet{planes->number_of(roof[i]), rectangle(faceted.low, faceted.high)};
+    for (size_t j = 0; j < roof.size() && facet.outline.size() >= 3; ++j) {
+      if (j == i) continue;
+      facet.outline = clip(facet.outline,
+                           {roof[j].a - roof[i].a, roof[j].b - roof[i].b, roof[j].c - roof[i].c});
+    }
+    if (facet.outline.size() >= 3) faceted.facets.push_back(std::move(facet));
+  }
+  return faceted;
+}
+
+std::vector<PlanSegment> envelope_segments(const std::vector<const FacetedBlock*>& blocks,
+                                           const std::vector<Plane>& planes,
+                                           const Eigen::Vector2d& low,
+                                           const Eigen::Vector2d& high) {
+  const Polygon region = rectangle(low, high);
+  std::vector<PlanSegment> segments;
+  // Rectangles first: where points are merged, the earliest one stays.
+  const auto add_outline = [&](const Polygon& outline) {
+    for (size_t i = 0; i < outline.size(); ++i) {
+      PlanSegment segment{outline[i], outline[(i + 1) % outline.size()]};
+      if (cut_to_polygon(region, &segment)) segments.push_back(segment);
+    }
+  };
+  for (const FacetedBlock* block : blocks) add_outline(rectangle(block->low, block->high));
+  for (const FacetedBlock* block : blocks) {
+    if (block->facets.size() < 2) continue;
+    for (const RoofFacet& facet : block->facets) add_outline(facet.outline);
+  }
+  for (size_t i = 0; i < blocks.size(); ++i) {
+    for (size_t j = i + 1; j < blocks.size(); ++j) {
+      if ((blocks[i]->high.array() < blocks[j]->low.array()).any() ||
+          (blocks[j]->high.array() < blocks[i]->low.array()).any()) {
+        continue;
+      }
+      for (const RoofFacet& facet : blocks[i]->facets) {
+        for (const RoofFacet& other : blocks[j]->facets) {
+          PlanSegment segment;
+          if (facet.plane != other.plane && meeting_line(facet, other, planes, region, &segment)) {
+            segments.push_back(segment);
+          }
+        }
+      }
+    }
+  }
+  return segments;
+}
+
+}  // namespace gable
