@@ -7,7 +7,10 @@
 #include <iostream>
 #include <string>
 
+#include "examples/cli/common_options.h"
+#include "examples/cli/evaluate_command.h"
 #include "examples/cli/interrupt.h"
+#include "examples/cli/synthesize_command.h"
 
 namespace gable {
 namespace {
@@ -42,6 +45,9 @@ int run_program(int argc, char** argv) {
   app.set_help_flag("-h,--help", "Print this help and end");
   app.footer(kFooter);
   app.require_subcommand(1);
+  const CommandContext context{interrupt.token()};
+  add_synthesize_command(&app, context);
+  add_evaluate_command(&app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,129 @@
+#include "examples/cli/evaluate_command.h"
+
+#include <gable/engine/error.h>
+#include <gable/engine/evaluate/evaluation.h>
+#include <gable/engine/evaluate/evaluation_report.h>
+#include <gable/engine/evaluate/triangles.h>
+#include <gable/engine/io/build_model.h>
+#include <gable/engine/io/building_file.h>
+#include <gable/engine/io/raster_file.h>
+#include <gable/grammar/plan_outline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <string>
+
+namespace gable {
+namespace {
+
+struct EvaluateOptions {
+  CommonOptions common;
+  std::string models, dsm, dtm, truth;
+  bool per_building = false;
+};
+
+/// The models of a file, checked to lie in the surface's reference system.
+std::vector<Building> read_models(const std::string& path, const RasterFile& dsm) {
+  BuildingFile file = read_buildings(path);
+  if (file.epsg != 0 && dsm.crs().epsg != 0 && file.epsg != dsm.crs().epsg) {
+    throw Error(ExitCode::kBadInput, path + ": is in EPSG:" + std::to_string(file.epsg) + ", but " +
+                                         dsm.path() + " in EPSG:" + std::to_string(dsm.crs().epsg) +
+                                         "; reproject one of them");
+  }
+  return std::move(file.buildings);
+}
+
+/// The world rectangle around all buildings.
+struct Extent {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+
+  void add(const std::vector<Building>& buildings) {
+    for (const Building& building : buildings) {
+      const Eigen::Vector3d& origin = building.house ? building.house->origin : building.origin;
+      const auto polygons = building.house ? plan_outline(*building.house)
+                                           : std::vector<PlanPolygon>{building.outline};
+      for (const PlanPolygon& polygon : polygons) {
+        for (const Eigen::Vector2d& p : polygon.outer) {
+          low = low.cwiseMin(origin.head<2>() + p);
+          high = high.cwiseMax(origin.head<2>() + p);
+        }
+      }
+    }
+  }
+};
+
+/// The cells of the surface around the buildings, so that only those are read.
+HeightRaster read_window(const RasterFile& dsm, const Extent& extent, const std::string& models) {
+  const Grid& grid = dsm.grid();
+  const Eigen::Vector2d first = grid.cell_of({extent.low.x(), extent.high.y()});
+  const Eigen::Vector2d last = grid.cell_of({extent.high.x(), extent.low.y()});
+  const auto cut = [](double cell, int cells) {
+    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cells)));
+  };
+  const int row0 = cut(std::floor(first.x()), grid.rows);
+  const int col0 = cut(std::floor(first.y()), grid.cols);
+  const int row1 = cut(std::ceil(last.x()) + 1.0, grid.rows);
+  const int col1 = cut(std::ceil(last.y()) + 1.0, grid.cols);
+  if (row0 >= row1 || col0 >= col1) {
+    throw Error(ExitCode::kBadInput, models + ": no building lies on " + dsm.path() +
+                                         "; give the height image they were made from");
+  }
+  return dsm.read(row0, col0, row1 - row0, col1 - col0);
+}
+
+int triangles_of(const Building& building) {
+  int triangles = 0;
+  for (const PartModel& part : build_model(building).parts) {
+    triangles += count_triangles(finest_solid(part));
+  }
+  return triangles;
+}
+
+void run(const EvaluateOptions& options, const CommandContext& context) {
+  const RasterFile dsm_file(options.dsm);
+  const RasterFile dtm_file(options.dtm);
+  require_matching(dsm_file, dtm_file);
+  const std::vector<Building> buildings = read_models(options.models, dsm_file);
+  std::vector<Building> truth;
+  Extent extent;
+  extent.add(buildings);
+  if (!options.truth.empty()) {
+    truth = read_models(options.truth, dsm_file);
+    extent.add(truth);
+  }
+  const HeightRaster dsm = read_window(dsm_file, extent, options.models);
+  const HeightRaster dtm = dtm_file.read_onto(dsm.grid);
+  EvaluationInput input;
+  input.buildings = &buildings;
+  input.dsm = &dsm;
+  input.dtm = &dtm;
+  if (!options.truth.empty()) input.truth = &truth;
+  for (const Building& building : buildings) {
+    if (context.stop.stop_requested()) throw Error(ExitCode::kInterrupted, "interrupted");
+    input.triangles.push_back(triangles_of(building));
+  }
+  std::cout << evaluation_report(evaluate(input), options.per_building);
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App* app, const CommandContext& context) {
+  auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command =
+      app->add_subcommand("evaluate", "Measure models against heights, and against a truth");
+  command->add_option("models", options->models, "Models: .jsonl or .json as gable writes them")
+      ->type_name("MODELS")
+      ->required();
+  command->add_option("--dsm", options->dsm, "Surface heights")->type_name("FILE")->required();
+  command->add_option("--dtm", options->dtm, "Terrain heights")->type_name("FILE")->required();
+  command->add_option("--truth", options->truth, "The true models")->type_name("FILE");
+  command->add_flag("--per-building", options->per_building, "A line for every building as well");
+  add_common_options(command, &options->common);
+  command->callback([options, context] { run(*options, context); });
+}
+
+}  // namespace gable

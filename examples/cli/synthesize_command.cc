@@ -1,0 +1,128 @@
+#include "examples/cli/synthesize_command.h"
+
+#include <gable/engine/error.h>
+#include <gable/engine/evaluate/evaluation.h>
+#include <gable/engine/io/build_model.h>
+#include <gable/engine/io/crs.h>
+#include <gable/engine/io/footprint_writer.h>
+#include <gable/engine/io/model_writer.h>
+#include <gable/engine/io/raster_writer.h>
+#include <gable/grammar/synthesis/village.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <system_error>
+
+#include "examples/cli/progress.h"
+
+namespace gable {
+namespace {
+
+/// The British National Grid: the houses are English.
+constexpr const char* kCrs = "EPSG:27700";
+
+struct SynthesizeOptions {
+  CommonOptions common;
+  VillageOptions village;
+  std::string folder;
+};
+
+std::string house_id(size_t number) {
+  char id[32];
+  std::snprintf(id, sizeof(id), "house_%04zu", number + 1);
+  return id;
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw Error(ExitCode::kCannotWrite, folder + ": the folder cannot be made" +
+                                            (error ? " (" + error.message() + ")" : std::string()) +
+                                            "; name another with -o");
+  }
+}
+
+/// The truth as buildings; their quality is the fit of the truth itself to the noisy heights.
+std::vector<Building> truth_buildings(const Village& village) {
+  std::vector<Building> buildings;
+  for (size_t i = 0; i < village.houses.size(); ++i) {
+    Building building;
+    building.id = house_id(i);
+    building.house = village.houses[i];
+    building.base = village.base[i];
+    buildings.push_back(building);
+  }
+  const Evaluation evaluation = evaluate({&buildings, &village.dsm, &village.dtm, nullptr, {}});
+  for (size_t i = 0; i < buildings.size(); ++i) {
+    const HeightError& error = evaluation.buildings[i].over_model;
+    buildings[i].quality = {error.mad(), error.rmse(), -1.0};
+  }
+  return buildings;
+}
+
+void write_truth(const std::string& path, const Village& village, const Crs& crs,
+                 const SynthesizeOptions& options, const CommandContext& context) {
+  const std::vector<Building> buildings = truth_buildings(village);
+  ModelWriterOptions writer_options;
+  writer_options.crs = crs;
+  writer_options.anchor = village.houses.front().origin;
+  const auto writer = open_model_writer(path, writer_options);
+  Progress progress("houses", buildings.size(), progress_style(options.common.quiet), std::cerr);
+  for (const Building& building : buildings) {
+    if (context.stop.stop_requested()) throw Error(ExitCode::kInterrupted, "interrupted");
+    writer->append(building, build_model(building));
+    progress.advance();
+  }
+  writer->close();
+}
+
+void run(const SynthesizeOptions& options, const CommandContext& context) {
+  make_folder(options.folder);
+  const std::filesystem::path folder(options.folder);
+  const Village village = synthesize_village(options.village);
+  const Crs crs = crs_from_text(kCrs);
+  std::vector<Footprint> footprints;
+  for (size_t i = 0; i < village.footprints.size(); ++i) {
+    footprints.push_back({house_id(i), village.footprints[i]});
+  }
+  write_truth((folder / "truth.city.jsonl").string(), village, crs, options, context);
+  write_raster((folder / "dsm.tif").string(), village.dsm, crs);
+  write_raster((folder / "dtm.tif").string(), village.dtm, crs);
+  write_footprints((folder / "footprints.gpkg").string(), footprints, crs);
+  if (!options.common.quiet) {
+    const Grid& grid = village.dsm.grid;
+    std::cout << options.folder << ": " << village.houses.size() << " houses, " << grid.cols
+              << " x " << grid.rows << " cells of " << grid.gsd << " m\n";
+  }
+}
+
+}  // namespace
+
+void add_synthesize_command(CLI::App* app, const CommandContext& context) {
+  auto options = std::make_shared<SynthesizeOptions>();
+  CLI::App* command = app->add_subcommand(
+      "synthesize", "Make a village of random houses as a LiDAR survey would see it");
+  command->add_option("--count", options->village.count, "Houses")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--seed", options->village.seed, "The same seed gives the same files")
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--gsd", options->village.gsd, "Cell size, metres")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.1, 2.0))
+      ->capture_default_str();
+  command
+      ->add_option("-o,--output", options->folder,
+                   "Folder for dsm.tif, dtm.tif, footprints.gpkg and truth.city.jsonl")
+      ->type_name("DIR")
+      ->required();
+  add_common_options(command, &options->common);
+  command->callback([options, context] { run(*options, context); });
+}
+
+}  // namespace gable
