@@ -1,6 +1,7 @@
 #include <gable/engine/reconstruct/block_search.h>
 #include <gable/engine/reconstruct/edge_lines.h>
 #include <gable/engine/reconstruct/roof_fit.h>
+#include <gable/engine/reconstruct/wing_polygons.h>
 #include <gable/residuals/robust_loss.h>
 
 #include <algorithm>
@@ -109,113 +110,10 @@ Rule roof_rule(const RoofFit& fit) {
   return rule;
 }
 
-House blocks_house(const RectifiedView& view, const std::vector<RoofFit>& fits,
-                   const Scored& scored) {
-  House house;
-  int n = 0;
-  while (n < 3 && scored.blocks[n] >= 0) ++n;
-  house.foundation = n == 1 ? Foundation::kI : n == 2 ? Foundation::kII : Foundation::kIII;
-  for (int b = 0; b < n; ++b) {
-    const RoofFit& fit = fits[scored.blocks[b]];
-    Rule footprint = make_rule(RuleKind::kFootprintI);
-    const CellRectangle& r = fit.rectangle;
-    footprint.values = {0.5 * (view.x_edge(r.col0) + view.x_edge(r.col1)),
-                        0.5 * (view.y_edge(r.row0) + view.y_edge(r.row1)), r.cols() * view.cell,
-                        r.rows() * view.cell};
-    house.footprints.push_back(footprint);
-    house.roofs.push_back(roof_rule(fit));
-  }
-  return house;
-}
-
-// Turns a house frame by quarter turns: coordinates (x, y) -> (y, -x) per turn of the axes.
-struct QuarterTurns {
-  int turns = 0;  // the new x axis is the old one turned anticlockwise this often
-
-  Eigen::Vector2d apply(Eigen::Vector2d p) const {
-    for (int i = 0; i < turns; ++i) p = {p.y(), -p.x()};
-    return p;
-  }
-  Axis apply(Axis axis) const {
-    return turns % 2 == 0 ? axis : (axis == Axis::kX ? Axis::kY : Axis::kX);
-  }
-};
-
-struct Box {
-  double x0, x1, y0, y1;
-};
-
-Box turned_box(const RectifiedView& view, const CellRectangle& r, const QuarterTurns& turn) {
-  const Eigen::Vector2d a = turn.apply(Eigen::Vector2d(view.x_edge(r.col0), view.y_edge(r.row0)));
-  const Eigen::Vector2d b = turn.apply(Eigen::Vector2d(view.x_edge(r.col1), view.y_edge(r.row1)));
-  return {std::min(a.x(), b.x()), std::max(a.x(), b.x()), std::min(a.y(), b.y()),
-          std::max(a.y(), b.y())};
-}
-
-// A roof rule with its ridge in the turned frame; hips swap ends where the axis is reversed.
-Rule turned_roof(const RoofFit& fit, const QuarterTurns& turn) {
-  Rule rule = roof_rule(fit);
-  const Eigen::Vector2d direction =
-      fit.ridge == Axis::kX ? Eigen::Vector2d(1.0, 0.0) : Eigen::Vector2d(0.0, 1.0);
-  const Eigen::Vector2d turned = turn.apply(direction);
-  rule.ridge = turn.apply(fit.ridge);
-  if (turned.x() + turned.y() < 0.0 && rule.kind == RuleKind::kRoofHip) {
-    std::swap(rule[param::roof::kHipStart], rule[param::roof::kHipEnd]);
-  }
-  return rule;
-}
-
-// base, wing -> L with its corner at the low ends of both axes, by quarter turns.
-House l_house(const RectifiedView& view, const RoofFit& base, const RoofFit& wing,
-              const LShape& shape) {
-  QuarterTurns turn;
-  // In the old frame the corner lies at (side_x, side_y's opposite) of the base.
-  const Eigen::Vector2d corner(shape.side_x, -shape.side_y);
-  while (turn.apply(corner) != Eigen::Vector2d(-1.0, -1.0)) ++turn.turns;
-  const bool swapped = turn.turns % 2 == 1;
-  const RoofFit& along_x = swapped ? wing : base;
-  const RoofFit& along_y = swapped ? base : wing;
-  const Box x_box = turned_box(view, along_x.rectangle, turn);
-  const Box y_box = turned_box(view, along_y.rectangle, turn);
-  House house;
-  house.foundation = Foundation::kL;
-  house.azimuth[0] = turn.turns * 0.5 * M_PI;
-  Rule footprint = make_rule(RuleKind::kFootprintL);
-  footprint.values = {
-      x_box.x0,           x_box.y0, x_box.x1 - x_box.x0, x_box.y1 - x_box.y0, y_box.y1 - y_box.y0,
-      y_box.x1 - y_box.x0};
-  house.footprints = {footprint};
-  house.roofs = {turned_roof(along_x, turn), turned_roof(along_y, turn)};
-  return house;
-}
-
-// base with two wings at its ends on one side -> U with the base at low y.
-House u_house(const RectifiedView& view, const RoofFit& base, const RoofFit& wing_a,
-              const RoofFit& wing_b, const Eigen::Vector2d& open_side) {
-  QuarterTurns turn;
-  while (turn.apply(open_side) != Eigen::Vector2d(0.0, 1.0)) ++turn.turns;
-  const Box base_box = turned_box(view, base.rectangle, turn);
-  const bool a_is_left =
-      turned_box(view, wing_a.rectangle, turn).x0 < turned_box(view, wing_b.rectangle, turn).x0;
-  const RoofFit& left = a_is_left ? wing_a : wing_b;
-  const RoofFit& right = a_is_left ? wing_b : wing_a;
-  const Box left_box = turned_box(view, left.rectangle, turn);
-  const Box right_box = turned_box(view, right.rectangle, turn);
-  House house;
-  house.foundation = Foundation::kU;
-  house.azimuth[0] = turn.turns * 0.5 * M_PI;
-  Rule footprint = make_rule(RuleKind::kFootprintU);
-  footprint.values = {base_box.x0,
-                      base_box.y0,
-                      base_box.x1 - base_box.x0,
-                      base_box.y1 - base_box.y0,
-                      left_box.y1 - left_box.y0,
-                      left_box.x1 - left_box.x0,
-                      right_box.y1 - right_box.y0,
-                      right_box.x1 - right_box.x0};
-  house.footprints = {footprint};
-  house.roofs = {turned_roof(base, turn), turned_roof(left, turn), turned_roof(right, turn)};
-  return house;
+RoofedRectangle roofed(const RectifiedView& view, const RoofFit& fit) {
+  const CellRectangle& r = fit.rectangle;
+  return {view.x_edge(r.col0), view.x_edge(r.col1), view.y_edge(r.row0), view.y_edge(r.row1),
+          roof_rule(fit)};
 }
 
 // Keeps the best `count`, leaving out those that differ from a better one by edges closer than
@@ -347,10 +245,6 @@ std::vector<Hypothesis> search_blocks(const RectifiedView& view, const Eigen::Ve
     }
   }
   // U: two wings of one base on the same side, either along rows (base along x) or columns.
-  struct Open {
-    Scored scored;
-    Eigen::Vector2d side;
-  };
   const auto u_side = [&](int base, int a, int b, bool base_along_x) -> Eigen::Vector2d {
     const auto shape_of = [&](int w) {
       return base_along_x ? l_shape(fits[base].rectangle, fits[w].rectangle)
@@ -394,22 +288,30 @@ std::vector<Hypothesis> search_blocks(const RectifiedView& view, const Eigen::Ve
 
   std::vector<Hypothesis> out;
   const auto add = [&](House house, double gain) {
-    house.azimuth[0] += view.azimuth;
     house.origin = origin;
     out.push_back({std::move(house), gain});
   };
-  for (const Scored& s : singles.distinct()) add(blocks_house(view, fits, s), s.gain);
-  for (const Scored& s : pairs.distinct()) add(blocks_house(view, fits, s), s.gain);
-  for (const Scored& s : triples.distinct()) add(blocks_house(view, fits, s), s.gain);
+  const auto block = [&](int index) { return roofed(view, fits[index]); };
+  for (const BestSet* set : {&singles, &pairs, &triples}) {
+    for (const Scored& s : set->distinct()) {
+      std::vector<RoofedRectangle> blocks;
+      for (int index : s.blocks) {
+        if (index >= 0) blocks.push_back(block(index));
+      }
+      add(blocks_house(blocks, view.azimuth), s.gain);
+    }
+  }
   for (const Scored& s : ls.distinct()) {
-    const RoofFit& base = fits[s.blocks[0]];
-    const RoofFit& wing = fits[s.blocks[1]];
-    add(l_house(view, base, wing, l_shape(base.rectangle, wing.rectangle)), s.gain);
+    const LShape shape = l_shape(fits[s.blocks[0]].rectangle, fits[s.blocks[1]].rectangle);
+    add(l_house(block(s.blocks[0]), block(s.blocks[1]), Side(shape.side_x, -shape.side_y),
+                view.azimuth),
+        s.gain);
   }
   for (const Scored& s : us.distinct()) {
     const bool along_x = l_shape(fits[s.blocks[0]].rectangle, fits[s.blocks[1]].rectangle).valid;
-    const Eigen::Vector2d side = u_side(s.blocks[0], s.blocks[1], s.blocks[2], along_x);
-    add(u_house(view, fits[s.blocks[0]], fits[s.blocks[1]], fits[s.blocks[2]], side), s.gain);
+    const Side open = u_side(s.blocks[0], s.blocks[1], s.blocks[2], along_x);
+    add(u_house(block(s.blocks[0]), block(s.blocks[1]), block(s.blocks[2]), open, view.azimuth),
+        s.gain);
   }
   return out;
 }

@@ -1,5 +1,6 @@
 #include <gable/engine/reconstruct/azimuth.h>
 #include <gable/engine/reconstruct/block_search.h>
+#include <gable/engine/reconstruct/derivation_rewrites.h>
 #include <gable/engine/reconstruct/house_choice.h>
 #include <gable/engine/reconstruct/rectified_view.h>
 #include <gable/engine/reconstruct/roof_simplification.h>
@@ -18,6 +19,12 @@ constexpr int kManyPixels = 1500;
 
 // Noise that the wide stage's costs are priced with, metres.
 constexpr double kWideNoise = 0.2;
+
+// A rewrite this much dearer than what it came from is followed no further.
+constexpr double kWorthRewriting = 30.0;
+
+// Finalists with all their rewrites.
+constexpr size_t kMostFinalists = 16;
 
 // Robust standard deviation of the heights around a house over the inside pixels it covers.
 double noise_around(const HeightImage& image, const House& house, double fallback) {
@@ -48,6 +55,14 @@ RefinementSummary refine(const HeightImage& image, std::vector<RefinementStage> 
   options.function_tolerance = 1e-4;
   options.deviations = deviations;
   return refine_house(image, options, house);
+}
+
+// Places edges finely, drops what does not pay, and prices the result.
+void finish(const HeightImage& image, const PenaltyOptions& penalty, Candidate* c) {
+  refine(image, {{0.25, LossKind::kGemanMcClure, 0.5, 1, 12}}, false, &c->house);
+  drop_unpaid(image, penalty, &c->house);
+  simplify_roofs(image, penalty, &c->house);
+  c->cost = penalised_cost(image, c->house, penalty);
 }
 
 }  // namespace
@@ -111,10 +126,9 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
       const Candidate& c = candidates[i];
       if (static_cast<int>(finalists.size()) >= options.finalists) break;
       if (taken[i] || c.cost.squared_residuals > options.hopeless * least) continue;
-      const bool known =
-          std::any_of(finalists.begin(), finalists.end(), [&](const Candidate& f) {
-            return f.house.foundation == c.house.foundation;
-          });
+      const bool known = std::any_of(finalists.begin(), finalists.end(), [&](const Candidate& f) {
+        return f.house.foundation == c.house.foundation;
+      });
       if (known != (round == 1)) continue;
       finalists.push_back(c);
       taken[i] = 1;
@@ -137,9 +151,16 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
       add_leftovers(image, leftovers, &c.house);
     }
-    refine(image, {{0.25, LossKind::kGemanMcClure, 0.5, 1, 12}}, false, &c.house);
-    drop_unpaid(image, penalty, &c.house);
-    c.cost = penalised_cost(image, c.house, penalty);
+    finish(image, penalty, &c);
+  }
+  // Each rewrite may be rewritten once more: a III to an L with a garage, say.
+  for (size_t i = 0; i < finalists.size() && finalists.size() < kMostFinalists; ++i) {
+    for (House& other : rewrites(finalists[i].house, {})) {
+      Candidate c{std::move(other), {}};
+      refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
+      finish(image, penalty, &c);
+      if (c.cost.total < finalists[i].cost.total + kWorthRewriting) finalists.push_back(c);
+    }
   }
   std::stable_sort(finalists.begin(), finalists.end(), cheaper);
   choice.finalists = finalists;

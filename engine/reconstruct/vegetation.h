@@ -11,7 +11,7 @@ struct VegetationOptions {
   double roughness = 0.17;    ///< least deviation from any plane nearby, metres, > 0
   double least_height = 1.0;  ///< lower pixels are never vegetation, metres over the terrain
   double least_width = 1.4;   ///< narrower rough patches are kept: chimneys, masts, metres
-  double rim = 0.5;          ///< width of the rim that is added to crowns, metres
+  double rim = 0.5;           ///< width of the rim that is added to crowns, metres
 };
 
 /// Marks (1) the pixels of tree crowns: those that lie in no smooth 3 x 3 neighbourhood. Each of
