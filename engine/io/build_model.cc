@@ -1,37 +1,50 @@
 #include <gable/engine/io/build_model.h>
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace gable {
+
+namespace {
+
+/// The part of a role, index and piece; added where it is new.
+PartModel& part_of(PartRole role, int index, int piece, BuildingModel* model) {
+  for (PartModel& part : model->parts) {
+    if (part.role == role && part.index == index && part.piece == piece) return part;
+  }
+  return model->parts.emplace_back(PartModel{role, index, piece, {}});
+}
+
+}  // namespace
 
 BuildingModel build_model(const Building& building) {
   BuildingModel model;
   if (!building.house) {
     model.origin = building.origin;
-    PartModel part;
-    part.solids.push_back({Lod::k12, extrude(building.outline, building.base, building.height)});
-    model.parts.push_back(std::move(part));
+    Solid solid = extrude(building.outline, building.base, building.height);
+    if (solid.faces.empty()) {
+      model.dropped.push_back("the outline encloses no volume");
+    } else {
+      part_of(PartRole::kMain, 0, 0, &model).solids.push_back({Lod::k12, std::move(solid)});
+    }
     return model;
   }
   model.origin = building.house->origin;
   for (const Lod lod : {Lod::k12, Lod::k20, Lod::k22}) {
     HouseSolids solids = build_house_solids(*building.house, lod, building.base);
+    std::map<std::pair<PartRole, int>, int> pieces;
     for (HousePart& part : solids.parts) {
-      auto known = std::find_if(
-          model.parts.begin(), model.parts.end(),
-          [&part](const PartModel& m) { return m.role == part.role && m.index == part.index; });
-      if (known == model.parts.end()) {
-        known = model.parts.insert(known, PartModel{part.role, part.index, {}});
-      }
-      known->solids.push_back({lod, std::move(part.solid)});
+      const int piece = pieces[{part.role, part.index}]++;
+      part_of(part.role, part.index, piece, &model).solids.push_back({lod, std::move(part.solid)});
     }
     if (lod == Lod::k22) model.dropped = std::move(solids.dropped);
   }
-  std::stable_sort(model.parts.begin(), model.parts.end(),
-                   [](const PartModel& a, const PartModel& b) {
-                     return std::pair(a.role, a.index) < std::pair(b.role, b.index);
-                   });
+  std::stable_sort(
+      model.parts.begin(), model.parts.end(), [](const PartModel& a, const PartModel& b) {
+        return std::tuple(a.role, a.index, a.piece) < std::tuple(b.role, b.index, b.piece);
+      });
   return model;
 }
 

@@ -1,11 +1,9 @@
 #include <gable/engine/error.h>
 #include <gable/engine/io/building_file.h>
 #include <gable/engine/io/building_json.h>
+#include <gable/engine/io/readable.h>
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <unordered_set>
 
@@ -24,13 +22,8 @@ class FileReader {
   explicit FileReader(const std::string& path) : path_(path) {}
 
   BuildingFile read() {
-    errno = 0;
+    require_readable(path_);
     std::ifstream stream(path_, std::ios::binary);
-    std::error_code ignored;
-    if (!stream || std::filesystem::is_directory(path_, ignored)) {
-      const char* why = stream ? "is a folder" : std::strerror(errno ? errno : ENOENT);
-      throw Error(ExitCode::kNoInput, path_ + ": cannot be opened: " + why);
-    }
     if (path_.ends_with(".jsonl")) {
       std::string line;
       for (int number = 1; std::getline(stream, line); ++number) {

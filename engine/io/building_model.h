@@ -18,6 +18,7 @@ struct LodSolid {
 struct PartModel {
   PartRole role = PartRole::kMain;
   int index = 0;  ///< see HousePart::index
+  int piece = 0;  ///< counts the solids that one garage, dormer or chimney falls into
   std::vector<LodSolid> solids;
 };
 

@@ -16,6 +16,13 @@ const char* object_type(PartRole role) {
                                                               : "BuildingInstallation";
 }
 
+/// "garage-2", or "garage-2-3" for its third piece.
+std::string part_name(const PartModel& part) {
+  std::string name = std::string(part_role_name(part.role)) + "-" + std::to_string(part.index + 1);
+  if (part.piece > 0) name += "-" + std::to_string(part.piece + 1);
+  return name;
+}
+
 /// Two vertices that round to the same stored point are one; a ring that loses its area goes.
 std::vector<int> without_repeats(const std::vector<int>& ring) {
   std::vector<int> kept;
@@ -97,8 +104,7 @@ void CityObjects::add(const Building& building, const BuildingModel& model) {
   const std::string parent = dump_json(building.id);
   std::vector<std::string> names, parts;
   for (const PartModel& part : model.parts) {
-    names.push_back(dump_json(building.id + "-" + part_role_name(part.role) + "-" +
-                              std::to_string(part.index + 1)));
+    names.push_back(dump_json(building.id + "-" + part_name(part)));
     std::vector<std::string> geometries;
     for (const LodSolid& solid : part.solids) {
       geometries.push_back(solid_text(solid.solid, model.origin, solid.lod));

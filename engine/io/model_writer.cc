@@ -1,6 +1,8 @@
 #include <gable/engine/error.h>
 #include <gable/engine/io/cityjson_writer.h>
+#include <gable/engine/io/glb_writer.h>
 #include <gable/engine/io/model_writer.h>
+#include <gable/engine/io/obj_writer.h>
 
 #include <string_view>
 
@@ -11,6 +13,8 @@ std::unique_ptr<ModelWriter> open_model_writer(const std::string& path,
   const auto ends_with = [&path](std::string_view end) { return path.ends_with(end); };
   if (ends_with(".jsonl")) return std::make_unique<CityJsonSeqWriter>(path, options);
   if (ends_with(".json")) return std::make_unique<CityJsonWriter>(path, options);
+  if (ends_with(".obj")) return std::make_unique<ObjWriter>(path, options);
+  if (ends_with(".glb")) return std::make_unique<GlbWriter>(path, options);
   throw Error(ExitCode::kUsage, path +
                                     ": the kind of model file is not known by this name; end it "
                                     "with .city.jsonl, .city.json, .obj or .glb");

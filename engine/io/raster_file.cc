@@ -2,14 +2,13 @@
 #include <gable/engine/io/gdal_messages.h>
 #include <gable/engine/io/raster_crs.h>
 #include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/readable.h>
 #include <gable/engine/io/resample.h>
 #include <gdal_priv.h>
 
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -42,15 +41,7 @@ struct RasterFile::Impl {
 
 void RasterFile::Impl::open(const RasterFileOptions& options) {
   const GdalMessages messages;
-  VSIStatBufL stat;
-  if (VSIStatL(path.c_str(), &stat) != 0) {
-    throw Error(ExitCode::kNoInput, path + ": no such file; check the path");
-  }
-  VSILFILE* file = VSIFOpenL(path.c_str(), "rb");
-  if (!file) {
-    throw Error(ExitCode::kNoInput, path + ": cannot be opened: " + std::strerror(errno));
-  }
-  VSIFCloseL(file);
+  require_readable(path);
   dataset.reset(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   if (!dataset || dataset->GetRasterCount() == 0) {
     throw Error(

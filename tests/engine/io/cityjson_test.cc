@@ -164,7 +164,7 @@ TEST(CityJson, SeqKeepsOneTransformAndOwnVerticesPerFeature) {
 TEST(CityJson, FacesThinnerThanTheGridStepVanish) {
   const ScratchFolder scratch;
   BuildingModel model;
-  model.parts.push_back({PartRole::kMain, 0, {{Lod::k22, box({0, 0, 0}, {10, 10, 1e-5})}}});
+  model.parts.push_back({PartRole::kMain, 0, 0, {{Lod::k22, box({0, 0, 0}, {10, 10, 1e-5})}}});
   const auto writer = open_model_writer(scratch.path("out.city.json"), {});
   writer->append(sample_house("1"), model);
   writer->close();

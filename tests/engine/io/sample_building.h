@@ -90,8 +90,8 @@ inline BuildingModel sample_model(const Eigen::Vector3d& origin) {
   model.origin = origin;
   const Solid body = box_with_shaft();
   model.parts.push_back(
-      {PartRole::kMain, 0, {{Lod::k12, body}, {Lod::k20, body}, {Lod::k22, body}}});
-  model.parts.push_back({PartRole::kChimney, 0, {{Lod::k22, box({1, 1, 3}, {2, 2, 5})}}});
+      {PartRole::kMain, 0, 0, {{Lod::k12, body}, {Lod::k20, body}, {Lod::k22, body}}});
+  model.parts.push_back({PartRole::kChimney, 0, 0, {{Lod::k22, box({1, 1, 3}, {2, 2, 5})}}});
   return model;
 }
 
