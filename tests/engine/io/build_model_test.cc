@@ -1,0 +1,94 @@
+#include <gable/engine/io/build_model.h>
+#include <gable/engine/io/building_file.h>
+#include <gable/engine/io/model_writer.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "engine/io/sample_building.h"
+#include "engine/io/scratch.h"
+
+namespace gable {
+namespace {
+
+double volume(const Solid& solid) {
+  double sum = 0.0;
+  for (const Face& face : solid.faces) {
+    for (const std::vector<int>& ring : face.rings) {
+      for (size_t i = 2; i < ring.size(); ++i) {
+        sum +=
+            solid.vertices[ring[0]].dot(solid.vertices[ring[i - 1]].cross(solid.vertices[ring[i]]));
+      }
+    }
+  }
+  return sum / 6.0;
+}
+
+/// A gabled box of 10 x 8 m, eaves at 3 m, ridge at 5 m, with a chimney and a garage beside it.
+Building plain_house() {
+  House house = make_house(Foundation::kI);
+  house.origin = {1000.0, 2000.0, 10.0};
+  house.footprints[0].values = {0.0, 0.0, 10.0, 8.0};
+  house.roofs[0].values = {3.0, 2.0};
+  Rule chimney = make_rule(RuleKind::kChimney);
+  chimney.values = {0.0, 2.0, 1.0, 6.0};
+  house.chimneys.push_back(chimney);
+  Rule garage = make_rule(RuleKind::kGarageI);
+  garage.values = {8.0, 0.0, 6.0, 3.0, 2.5};
+  house.garages.push_back(garage);
+  Building building;
+  building.id = "1";
+  building.house = house;
+  building.base = -0.5;
+  return building;
+}
+
+TEST(BuildModel, PartsCarryTheLevelsTheyExistAt) {
+  const BuildingModel model = build_model(plain_house());
+  EXPECT_EQ(model.origin, Eigen::Vector3d(1000.0, 2000.0, 10.0));
+  ASSERT_EQ(model.parts.size(), 3u);
+  EXPECT_EQ(model.parts[0].role, PartRole::kMain);
+  EXPECT_EQ(model.parts[1].role, PartRole::kGarage);
+  EXPECT_EQ(model.parts[2].role, PartRole::kChimney);
+  EXPECT_EQ(model.parts[0].solids.size(), 3u);
+  EXPECT_EQ(model.parts[1].solids.size(), 3u);
+  ASSERT_EQ(model.parts[2].solids.size(), 1u);
+  EXPECT_EQ(model.parts[2].solids[0].lod, Lod::k22);
+  EXPECT_NEAR(volume(finest_solid(model.parts[0])), 10.0 * 8.0 * 4.5, 1e-3);
+  EXPECT_NEAR(volume(finest_solid(model.parts[1])), 6.0 * 3.0 * 3.0, 1e-3);
+}
+
+TEST(BuildModel, ExtrusionIsOneSolidAtTheCoarsestLevel) {
+  const BuildingModel model = build_model(sample_extrusion("1"));
+  ASSERT_EQ(model.parts.size(), 1u);
+  ASSERT_EQ(model.parts[0].solids.size(), 1u);
+  EXPECT_EQ(model.parts[0].solids[0].lod, Lod::k12);
+  EXPECT_NEAR(volume(model.parts[0].solids[0].solid), (100.0 - 9.15) * (8.0 / 3.0 + 0.25), 1e-6);
+}
+
+TEST(BuildModel, OutlineWithoutAreaSaysSo) {
+  Building flat = sample_extrusion("1");
+  flat.outline.holes.clear();
+  flat.outline.outer = {{0, 0}, {1, 0}, {2, 0}};
+  const BuildingModel model = build_model(flat);
+  EXPECT_TRUE(model.parts.empty());
+  EXPECT_EQ(model.dropped.size(), 1u);
+}
+
+TEST(BuildModel, ABuildingReadBackIsWrittenAsTheSameBytes) {
+  const ScratchFolder scratch;
+  const std::string path = scratch.path("out.city.jsonl");
+  const auto write = [&path](const std::vector<Building>& buildings) {
+    const auto writer = open_model_writer(path, {Crs(), {1000.0, 2000.0, 0.0}});
+    for (const Building& building : buildings) writer->append(building, build_model(building));
+    writer->close();
+    return file_bytes(path);
+  };
+  const std::string first = write({plain_house(), sample_extrusion("2")});
+  EXPECT_EQ(write(read_buildings(path).buildings), first);
+}
+
+}  // namespace
+}  // namespace gable
