@@ -9,14 +9,18 @@
 
 namespace gable {
 
-/// Height of a block's roof at a point (x, y) inside its rectangle, house frame, metres. The roof
-/// is eaves + rise * min(across, start, end): `across` falls from 1 at the ridge to 0 at the eaves,
-/// `start` and `end` rise from 0 at the gable wall to 1 where the hip meets the ridge.
-/// T: the block's scalar; P: the point's scalar (double, or T where the point moves as well).
+/// The planes a roof is made of, named in the direction of the ridge: kLow and kHigh are the sides
+/// at the rectangle's lower and higher coordinate across the ridge, kStart and kEnd the hips.
+enum class Facet { kFlat, kLow, kHigh, kStart, kEnd };
+inline constexpr int kNumFacets = 5;
+
+/// The facet of a block's roof over a point (x, y) inside its rectangle, house frame: that of the
+/// least height. T: the block's scalar; P: the point's (double, or T where the point moves as
+/// well).
 template <typename T, typename P>
-T roof_height(const Block<T>& block, const P& x, const P& y) {
+Facet roof_facet(const Block<T>& block, const P& x, const P& y) {
   using namespace block_value;
-  if (block.flat) return block[kEaves];
+  if (block.flat) return Facet::kFlat;
   const bool along_x = block.ridge == Axis::kX;
   const T& u0 = along_x ? block[kX0] : block[kY0];
   const T& u1 = along_x ? block[kX1] : block[kY1];
@@ -30,19 +34,49 @@ T roof_height(const Block<T>& block, const P& x, const P& y) {
   const T from_end = u1 - u;
   const T from_low = v - v0;
   const T from_high = v1 - v;
-  const T& to_eaves = from_high < from_low ? from_high : from_low;
-  const T length = u1 - u0;
-  const T start_run = block[kHipStart] * length;
-  const T end_run = block[kHipEnd] * length;
-  // Compare run against run before dividing: a gable end has no hip run at all.
+  const bool high = from_high < from_low;
+  const T& to_eaves = high ? from_high : from_low;
+  const T start_run = block[kHipStart] * (u1 - u0);
+  const T end_run = block[kHipEnd] * (u1 - u0);
+  // Compare run against run instead of dividing: a gable end has no hip run at all.
   // to_eaves / half_width > from_start / start_run, both runs positive.
   const bool start_hip = from_start * half_width < to_eaves * start_run;
   const bool end_hip = from_end * half_width < to_eaves * end_run;
-  if (start_hip && (!end_hip || from_start * end_run <= from_end * start_run)) {
-    return block[kEaves] + block[kRise] * from_start / start_run;
+  if (start_hip && (!end_hip || from_start * end_run <= from_end * start_run)) return Facet::kStart;
+  if (end_hip) return Facet::kEnd;
+  return high ? Facet::kHigh : Facet::kLow;
+}
+
+/// Height at (x, y) of the plane that a facet lies in, house frame, metres: eaves + rise * the
+/// share of the run from the facet's eaves to the ridge. Linear in the point.
+template <typename T, typename P>
+T facet_height(const Block<T>& block, Facet facet, const P& x, const P& y) {
+  using namespace block_value;
+  if (facet == Facet::kFlat) return block[kEaves];
+  const bool along_x = block.ridge == Axis::kX;
+  const T& u0 = along_x ? block[kX0] : block[kY0];
+  const T& u1 = along_x ? block[kX1] : block[kY1];
+  const T& v0 = along_x ? block[kY0] : block[kX0];
+  const T& v1 = along_x ? block[kY1] : block[kX1];
+  const P& u = along_x ? x : y;
+  const P& v = along_x ? y : x;
+  if (facet == Facet::kStart) {
+    return block[kEaves] + block[kRise] * (u - u0) / (block[kHipStart] * (u1 - u0));
   }
-  if (end_hip) return block[kEaves] + block[kRise] * from_end / end_run;
-  return block[kEaves] + block[kRise] * to_eaves / half_width;
+  if (facet == Facet::kEnd) {
+    return block[kEaves] + block[kRise] * (u1 - u) / (block[kHipEnd] * (u1 - u0));
+  }
+  const T half_width = (v1 - v0) * T(0.5);
+  if (facet == Facet::kHigh) return block[kEaves] + block[kRise] * (v1 - v) / half_width;
+  return block[kEaves] + block[kRise] * (v - v0) / half_width;
+}
+
+/// Height of a block's roof at a point (x, y) inside its rectangle, house frame, metres: eaves +
+/// rise * min(across, start, end), where `across` falls from 1 at the ridge to 0 at the eaves, and
+/// `start` and `end` rise from 0 at the gable wall to 1 where the hip meets the ridge.
+template <typename T, typename P>
+T roof_height(const Block<T>& block, const P& x, const P& y) {
+  return facet_height(block, roof_facet(block, x, y), x, y);
 }
 
 /// The part of a sample's square support that blocks cover, as a rectangle of the house frame.

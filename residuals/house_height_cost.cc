@@ -1,17 +1,14 @@
 #include <ceres/jet.h>
-#include <gable/grammar/height_field.h>
 #include <gable/residuals/house_height_cost.h>
+#include <gable/residuals/layered_sample.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace gable {
 namespace {
 
-// Derivatives with respect to the values of `n` blocks, one after the other.
-template <int n>
-using BlocksJet = ceres::Jet<double, n * kNumBlockValues>;
 // Derivatives of a block's values with respect to its own rule and its footprint rule.
 using ChainJet = ceres::Jet<double, 2 * kMaxRuleParameters>;
 
@@ -23,93 +20,42 @@ constexpr int kSumSize = kNumBlockValues + 2;
 using SumMatrix = Eigen::Matrix<double, kSumSize, kSumSize>;
 using SumVector = Eigen::Matrix<double, kSumSize, 1>;
 
-struct ColumnRange {
-  int begin = 0;
-  int end = 0;
+// Moments of the positions q = (1, x - anchor.x, y - anchor.y) of pixels that see one facet and
+// nothing else. With G the facet's gradient, a residual's derivatives are slope * G q, so J'J is
+// G (sum slope^2 q q') G' and J'r is G (sum slope * residual * q): a few sums per pixel.
+struct FacetSums {
+  bool used = false;
+  double s = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, syy = 0.0;  // of slope^2
+  double r = 0.0, rx = 0.0, ry = 0.0;                                   // of slope * residual
+
+  void add(double x, double y, double slope, double residual, double pixel_weight) {
+    used = true;
+    const double weight = pixel_weight * slope * slope;
+    const double product = pixel_weight * slope * residual;
+    s += weight;
+    sx += weight * x;
+    sy += weight * y;
+    sxx += weight * x * x;
+    sxy += weight * x * y;
+    syy += weight * y * y;
+    r += product;
+    rx += product * x;
+    ry += product * y;
+  }
+
+  void add_to(const FacetGradient& gradient, SumMatrix* sum) const {
+    Eigen::Matrix<double, kNumBlockValues + 1, 3> g;
+    g.topRows<kNumBlockValues>() = gradient.values;
+    // Turning the house by d moves the point in the house frame by (y, -x) d.
+    g.row(kAzimuthRow) << gradient.slope.x() * gradient.anchor.y() -
+                              gradient.slope.y() * gradient.anchor.x(),
+        -gradient.slope.y(), gradient.slope.x();
+    Eigen::Matrix3d moments;
+    moments << s, sx, sy, sx, sxx, sxy, sy, sxy, syy;
+    sum->topLeftCorner<kNumBlockValues + 1, kNumBlockValues + 1>() += g * moments * g.transpose();
+    sum->topRightCorner<kNumBlockValues + 1, 1>() += g * Eigen::Vector3d(r, rx, ry);
+  }
 };
-
-// A block with its values as independent variables, in slot `slot` of the jet.
-template <int n>
-Block<BlocksJet<n>> independent(const Block<double>& block, int slot) {
-  Block<BlocksJet<n>> out;
-  out.ridge = block.ridge;
-  out.flat = block.flat;
-  for (int k = 0; k < kNumBlockValues; ++k) {
-    out.values[k] = BlocksJet<n>(block[k], slot * kNumBlockValues + k);
-  }
-  return out;
-}
-
-// E(p) over the blocks given (metres squared).
-template <typename T>
-T sample_cost(std::span<const Block<T>> blocks, double x, double y, double support, double ground,
-              double height, const RobustLoss& loss) {
-  const Layers<T> seen = layers_at<T, double>(blocks, x, y, support);
-  T cost = seen.ground_share * loss.cost(ground - height);
-  for (int k = 0; k < seen.count; ++k) {
-    cost += seen.layers[k].share * loss.cost(seen.layers[k].height - height);
-  }
-  return cost;
-}
-
-// The blocks that a pixel sees, highest first, at most kMaxLayers.
-struct Seen {
-  int count = 0;
-  bool top_only = false;  // the highest block covers the whole support
-  std::array<int, kMaxLayers> blocks;
-  std::array<double, kMaxLayers> heights;
-};
-
-// The same choice as layers_at makes, and nothing below a block that covers the whole support.
-Seen seen_blocks(const std::vector<Block<double>>& blocks, const std::vector<ColumnRange>& ranges,
-                 int column, double x, double y, double support) {
-  Seen seen;
-  std::array<bool, kMaxLayers> full;
-  const double whole = support * support * (1.0 - 1e-12);
-  for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
-    if (column < ranges[b].begin || column >= ranges[b].end) continue;
-    const auto part = covered_part<double, double>(blocks[b], x, y, support);
-    if (part.empty()) continue;
-    const double height = roof_height<double, double>(blocks[b], 0.5 * (part.x0 + part.x1),
-                                                      0.5 * (part.y0 + part.y1));
-    int at = seen.count;
-    while (at > 0 && seen.heights[at - 1] < height) --at;
-    if (at == kMaxLayers) continue;
-    seen.count = std::min(seen.count + 1, kMaxLayers);
-    for (int i = seen.count - 1; i > at; --i) {
-      seen.blocks[i] = seen.blocks[i - 1];
-      seen.heights[i] = seen.heights[i - 1];
-      full[i] = full[i - 1];
-    }
-    seen.blocks[at] = b;
-    seen.heights[at] = height;
-    full[at] = part.area() >= whole;
-  }
-  for (int k = 0; k < seen.count; ++k) {
-    if (!full[k]) continue;
-    seen.count = k + 1;
-    seen.top_only = k == 0;
-  }
-  return seen;
-}
-
-// The residual sqrt(weight E) of a pixel that sees `n` blocks and perhaps the ground, and its
-// derivatives by block.
-template <int n>
-double edge_residual(const std::vector<Block<double>>& blocks, const Seen& seen, double x, double y,
-                     double support, double ground, double height, double weight,
-                     const RobustLoss& loss, SumVector* derivatives) {
-  std::array<Block<BlocksJet<n>>, n> jets;
-  for (int k = 0; k < n; ++k) jets[k] = independent<n>(blocks[seen.blocks[k]], k);
-  const BlocksJet<n> cost = sample_cost<BlocksJet<n>>(jets, x, y, support, ground, height, loss);
-  // Far below a millimetre the root has no derivative, and no need of one.
-  const double residual = std::sqrt(weight * std::max(cost.a, 1e-12));
-  for (int k = 0; k < n; ++k) {
-    derivatives[k].template head<kNumBlockValues>() =
-        (0.5 * weight / residual) * cost.v.template segment<kNumBlockValues>(k * kNumBlockValues);
-  }
-  return residual;
-}
 
 // Columns c for which low <= offset + slope * c <= high.
 void clip_columns(double offset, double slope, double low, double high, ColumnRange* range) {
@@ -128,7 +74,10 @@ void clip_columns(double offset, double slope, double low, double high, ColumnRa
 
 struct HouseHeightEvaluator::Sums {
   explicit Sums(int n)
-      : num_blocks(n), used(static_cast<size_t>(n) * n, 0), pairs(static_cast<size_t>(n) * n) {}
+      : num_blocks(n),
+        used(static_cast<size_t>(n) * n, 0),
+        pairs(static_cast<size_t>(n) * n),
+        facets(n) {}
 
   // Sums of products of the derivatives with respect to block a (rows) and block b (columns).
   SumMatrix& pair(int a, int b) {
@@ -143,6 +92,7 @@ struct HouseHeightEvaluator::Sums {
   int num_blocks;
   std::vector<char> used;
   std::vector<SumMatrix> pairs;
+  std::vector<std::array<FacetSums, kNumFacets>> facets;  // pixels that see one facet only
 };
 
 HouseHeightEvaluator::HouseHeightEvaluator(const House& house, const HeightImage* image,
@@ -182,9 +132,15 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
         house_, source, parameters[source.own_rule],
         source.footprint_rule < 0 ? nullptr : parameters[source.footprint_rule]));
   }
-  std::vector<Block<BlocksJet<1>>> jets;
+  FacetGradients gradients;
   if constexpr (kDerivatives) {
-    for (const Block<double>& block : blocks) jets.push_back(independent<1>(block, 0));
+    gradients.resize(num_blocks);
+    for (int b = 0; b < num_blocks; ++b) {
+      for (int f = 0; f < kNumFacets; ++f) {
+        if ((f == static_cast<int>(Facet::kFlat)) != blocks[b].flat) continue;
+        gradients[b][f] = facet_gradient(blocks[b], static_cast<Facet>(f));
+      }
+    }
   }
 
   const double cosine = std::cos(parameters[0][0]);
@@ -231,51 +187,38 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
       const double x = x_offset + x_slope * c;
       const double y = y_offset + y_slope * c;
       const double ground = image_->ground[i];
-
       const double height = image_->height[i];
 
-      const Seen seen = seen_blocks(blocks, ranges, c, x, y, support);
+      const SeenLayers seen = seen_layers(blocks, ranges, c, x, y, support);
       if (seen.count == 0) {
         squared += weight * loss.cost(ground - height);
         continue;
       }
+      const SeenLayer& top = seen.layers[0];
       if constexpr (!kDerivatives) {
-        if (seen.top_only) {
-          squared += weight * loss.cost(seen.heights[0] - height);
-        } else {
-          std::array<Block<double>, kMaxLayers> some;
-          for (int k = 0; k < kMaxLayers && k < seen.count; ++k) some[k] = blocks[seen.blocks[k]];
-          squared += weight * sample_cost<double>({some.data(), static_cast<size_t>(seen.count)}, x,
-                                                  y, support, ground, height, loss);
-        }
+        squared += weight * (seen.top_only ? loss.cost(top.height - height)
+                                           : layered_cost(seen, loss, ground, height, support,
+                                                          nullptr, nullptr));
         continue;
       }
-      std::array<SumVector, kMaxLayers> v;
-      double residual;
-      int count = seen.count;
       if (seen.top_only) {
-        count = 1;
-        double slope;
-        loss.evaluate(seen.heights[0] - height, &residual, &slope);
-        const double root_weight = weight == 1.0 ? 1.0 : std::sqrt(weight);
-        residual *= root_weight;
-        v[0].head<kNumBlockValues>() =
-            (slope * root_weight) * roof_height<BlocksJet<1>, double>(jets[seen.blocks[0]], x, y).v;
-      } else if (count == 1) {
-        residual =
-            edge_residual<1>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
-      } else if (count == 2) {
-        residual =
-            edge_residual<2>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
-      } else if (count == 3) {
-        residual =
-            edge_residual<3>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
-      } else {
-        residual =
-            edge_residual<4>(blocks, seen, x, y, support, ground, height, weight, loss, v.data());
+        double residual, slope;
+        loss.evaluate(top.height - height, &residual, &slope);
+        squared += weight * residual * residual;
+        const int facet = static_cast<int>(top.facet);
+        const Eigen::Vector2d& anchor = gradients[top.block][facet].anchor;
+        sums->facets[top.block][facet].add(x - anchor.x(), y - anchor.y(), slope, residual, weight);
+        continue;
       }
-      squared += residual * residual;
-      for (int k = 0; k < count; ++k) {
+      std::array<BlockGradient, kMaxLayers> derivatives;
+      const double cost =
+          layered_cost(seen, loss, ground, height, support, &gradients, derivatives.data());
+      squared += weight * cost;
+      // Far below a millimetre the root has no derivative, and no need of one.
+      const double residual = std::sqrt(weight * std::max(cost, 1e-12));
+      std::array<SumVector, kMaxLayers> v;
+      for (int k = 0; k < seen.count; ++k) {
+        v[k].head<kNumBlockValues>() = (0.5 * weight / residual) * derivatives[k];
         // The azimuth moves the sample point: the residual depends on x only through x - x0 and
         // x - x1 of every block, hence d/dx = -sum (d/dx0 + d/dx1), likewise y; and turning the
         // house by d moves the point in the house frame by (y, -x) d.
@@ -284,12 +227,21 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
         v[k][kAzimuthRow] = dx * y - dy * x;
         v[k][kResidualRow] = 0.0;
         for (int l = 0; l < k; ++l) {
-          sums->pair(seen.blocks[l], seen.blocks[k]).noalias() += v[l] * v[k].transpose();
+          sums->pair(seen.layers[l].block, seen.layers[k].block).noalias() +=
+              v[l] * v[k].transpose();
         }
       }
-      for (int k = 0; k < count; ++k) {
+      for (int k = 0; k < seen.count; ++k) {
         v[k][kResidualRow] = residual;
-        sums->pair(seen.blocks[k], seen.blocks[k]).noalias() += v[k] * v[k].transpose();
+        sums->pair(seen.layers[k].block, seen.layers[k].block).noalias() += v[k] * v[k].transpose();
+      }
+    }
+  }
+  if constexpr (kDerivatives) {
+    for (int b = 0; b < num_blocks; ++b) {
+      for (int f = 0; f < kNumFacets; ++f) {
+        if (!sums->facets[b][f].used) continue;
+        sums->facets[b][f].add_to(gradients[b][f], &sums->pair(b, b));
       }
     }
   }
@@ -385,22 +337,33 @@ HouseHeightCost::HouseHeightCost(const House& house, const HeightImage* image,
 bool HouseHeightCost::Evaluate(double const* const* parameters, double* residuals,
                                double** jacobians) const {
   const int n = evaluator_.num_parameters();
+  const auto& sizes = parameter_block_sizes();
   Eigen::Map<Eigen::VectorXd> out(residuals, n + 1);
-  if (jacobians == nullptr) {
+  bool same_point = last_parameters_.size() == n;
+  for (size_t b = 0; b < sizes.size() && same_point; ++b) {
+    same_point = std::equal(parameters[b], parameters[b] + sizes[b],
+                            last_parameters_.data() + evaluator_.offsets()[b]);
+  }
+  if (jacobians == nullptr && !same_point) {
     out.setZero();
     out[n] = std::sqrt(evaluator_.squared_residuals(parameters));
     return true;
   }
-  NormalEquations normal;
-  evaluator_.normal_equations(parameters, &normal);
-  const CompressedResiduals compressed = compress(normal);
-  out = compressed.residuals;
-  const auto& sizes = parameter_block_sizes();
-  for (size_t b = 0; b < sizes.size(); ++b) {
+  if (!same_point) {
+    NormalEquations normal;
+    evaluator_.normal_equations(parameters, &normal);
+    last_ = compress(normal);
+    last_parameters_.resize(n);
+    for (size_t b = 0; b < sizes.size(); ++b) {
+      std::copy_n(parameters[b], sizes[b], last_parameters_.data() + evaluator_.offsets()[b]);
+    }
+  }
+  out = last_.residuals;
+  for (size_t b = 0; b < sizes.size() && jacobians != nullptr; ++b) {
     if (jacobians[b] == nullptr) continue;
     Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
         jacobians[b], n + 1, sizes[b]) =
-        compressed.jacobian.middleCols(evaluator_.offsets()[b], sizes[b]);
+        last_.jacobian.middleCols(evaluator_.offsets()[b], sizes[b]);
   }
   return true;
 }

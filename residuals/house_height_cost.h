@@ -68,6 +68,10 @@ class HouseHeightEvaluator {
 
 /// HouseHeightEvaluator as a Ceres cost function of (number of parameters + 1) residuals. The
 /// robust loss is inside: add it to a problem without one.
+///
+/// The last point evaluated with a Jacobian is remembered: within bounds, Ceres asks for the same
+/// point up to three times a step (line search, cost, linearisation). So one object must not be
+/// evaluated by two threads at once; give each problem its own.
 class HouseHeightCost : public ceres::CostFunction {
  public:
   HouseHeightCost(const House& house, const HeightImage* image, const HeightCostOptions& options);
@@ -79,6 +83,8 @@ class HouseHeightCost : public ceres::CostFunction {
 
  private:
   HouseHeightEvaluator evaluator_;
+  mutable Eigen::VectorXd last_parameters_;
+  mutable CompressedResiduals last_;
 };
 
 }  // namespace gable
