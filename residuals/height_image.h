@@ -25,4 +25,10 @@ struct HeightImage {
   }
 };
 
+/// Whether a pixel counts as a measurement; pixels of less weight only discourage blocks from
+/// spreading over what is not known.
+inline bool is_evidence(const HeightImage& image, size_t pixel) {
+  return image.weight[pixel] >= 0.5f;
+}
+
 }  // namespace gable

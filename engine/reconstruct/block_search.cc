@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace gable {
 namespace {
@@ -143,6 +144,12 @@ class BestSet {
   }
   const std::vector<Scored>& pooled() const { return best_; }
 
+  // A set of no more gain than this is not kept.
+  double least() const {
+    return static_cast<int>(best_.size()) < pool() ? -std::numeric_limits<double>::infinity()
+                                                   : best_.back().gain;
+  }
+
  private:
   int pool() const { return 12 * count_; }
   bool near(const Scored& a, const Scored& b) const {
@@ -227,19 +234,21 @@ std::vector<Hypothesis> search_blocks(const RectifiedView& view, const Eigen::Ve
   for (int a = 0; a < n; ++a) {
     for (int b = 0; b < n; ++b) {
       if (a == b) continue;
-      if (a < b) {
-        const Scored pair{{a, b, -1}, envelope_gain(fits, {a, b, -1})};
-        pairs.add(pair);
+      // Gains of sets are at most the sums of their blocks' own.
+      const double most = fits[a].gain + fits[b].gain;
+      if (a < b && most > pairs.least()) {
+        pairs.add({{a, b, -1}, envelope_gain(fits, {a, b, -1})});
       }
       if (l_shape(fits[a].rectangle, fits[b].rectangle).valid) {
         wings[a].push_back(b);
-        ls.add({{a, b, -1}, envelope_gain(fits, {a, b, -1})});
+        if (most > ls.least()) ls.add({{a, b, -1}, envelope_gain(fits, {a, b, -1})});
       }
     }
   }
   for (const Scored& pair : pairs.pooled()) {
     for (int c = 0; c < n; ++c) {
       if (c == pair.blocks[0] || c == pair.blocks[1]) continue;
+      if (pair.gain + fits[c].gain <= triples.least()) break;
       const Selection blocks{pair.blocks[0], pair.blocks[1], c};
       triples.add({blocks, envelope_gain(fits, blocks)});
     }
@@ -280,6 +289,8 @@ std::vector<Hypothesis> search_blocks(const RectifiedView& view, const Eigen::Ve
         for (size_t j = i + 1; j < list->size(); ++j) {
           if (u_side(base, (*list)[i], (*list)[j], base_along_x).isZero()) continue;
           const Selection blocks{base, (*list)[i], (*list)[j]};
+          const double most = fits[blocks[0]].gain + fits[blocks[1]].gain + fits[blocks[2]].gain;
+          if (most <= us.least()) continue;
           us.add({blocks, envelope_gain(fits, blocks)});
         }
       }

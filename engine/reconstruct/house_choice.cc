@@ -23,6 +23,14 @@ constexpr double kWideNoise = 0.2;
 // A rewrite this much dearer than what it came from is followed no further.
 constexpr double kWorthRewriting = 30.0;
 
+// Residuals saturate at this many standard deviations: an outlier then costs as much as its
+// likelihood under heights spread over 10 m.
+constexpr double kOutlierScale = 2.6;
+
+// Details are priced with a loss that saturates later, metres: pixels that stand out side by side
+// are no independent outliers.
+constexpr double kDetailScale = 0.5;
+
 // Finalists with all their rewrites.
 constexpr size_t kMostFinalists = 16;
 
@@ -33,7 +41,7 @@ double noise_around(const HeightImage& image, const House& house, double fallbac
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const size_t i = image.index(row, col);
-      if (!image.inside[i] || !(image.weight[i] > 0.0f)) continue;
+      if (!image.inside[i] || !is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
       if (field.block_at_house(p) < 0) continue;
       errors.push_back(std::abs(field.at_house(p, 0.0, 0.0) - image.height[i]));
@@ -58,9 +66,10 @@ RefinementSummary refine(const HeightImage& image, std::vector<RefinementStage> 
 }
 
 // Places edges finely, drops what does not pay, and prices the result.
-void finish(const HeightImage& image, const PenaltyOptions& penalty, Candidate* c) {
+void finish(const HeightImage& image, const PenaltyOptions& penalty,
+            const PenaltyOptions& detail_penalty, Candidate* c) {
   refine(image, {{0.25, LossKind::kGemanMcClure, 0.5, 1, 12}}, false, &c->house);
-  drop_unpaid(image, penalty, &c->house);
+  drop_unpaid(image, detail_penalty, &c->house);
   simplify_roofs(image, penalty, &c->house);
   c->cost = penalised_cost(image, c->house, penalty);
 }
@@ -142,23 +151,25 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
     noise = std::min(noise, noise_around(image, c.house, options.most_noise));
   }
   penalty.noise = std::clamp(noise, options.least_noise, options.most_noise);
+  penalty.loss_scale = kOutlierScale * penalty.noise;
   choice.noise = penalty.noise;
 
   LeftoverOptions leftovers;
   leftovers.penalty = penalty;
+  leftovers.penalty.loss_scale = kDetailScale;
   for (Candidate& c : finalists) {
     if (simplify_roofs(image, penalty, &c.house) + add_leftovers(image, leftovers, &c.house) > 0) {
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
       add_leftovers(image, leftovers, &c.house);
     }
-    finish(image, penalty, &c);
+    finish(image, penalty, leftovers.penalty, &c);
   }
   // Each rewrite may be rewritten once more: a III to an L with a garage, say.
   for (size_t i = 0; i < finalists.size() && finalists.size() < kMostFinalists; ++i) {
     for (House& other : rewrites(finalists[i].house, {})) {
       Candidate c{std::move(other), {}};
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
-      finish(image, penalty, &c);
+      finish(image, penalty, leftovers.penalty, &c);
       if (c.cost.total < finalists[i].cost.total + kWorthRewriting) finalists.push_back(c);
     }
   }

@@ -115,6 +115,29 @@ void keep_better(double gain, const House& house, Proposal* best) {
   if (gain > best->gain) *best = {gain, house};
 }
 
+// The pixels of a region within 0.4 m of its commonest height.
+Region flat_part(const HeightImage& image, const Region& region) {
+  std::vector<float> heights;
+  for (size_t i : region.pixels) heights.push_back(image.height[i]);
+  std::sort(heights.begin(), heights.end());
+  constexpr float kBand = 0.8f;
+  size_t best_begin = 0, best_count = 0;
+  for (size_t begin = 0, end = 0; begin < heights.size(); ++begin) {
+    while (end < heights.size() && heights[end] <= heights[begin] + kBand) ++end;
+    if (end - begin > best_count) {
+      best_count = end - begin;
+      best_begin = begin;
+    }
+  }
+  Region flat = region;
+  flat.pixels.clear();
+  for (size_t i : region.pixels) {
+    const float above = image.height[i] - heights[best_begin];
+    if (above >= 0.0f && above <= kBand) flat.pixels.push_back(i);
+  }
+  return flat;
+}
+
 Rule garage_rectangle(const HouseBox& box, double height) {
   Rule rule = make_rule(RuleKind::kGarageI);
   rule.values = {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1), box.x1 - box.x0, box.y1 - box.y0,
@@ -130,7 +153,7 @@ double fitting_share(const HeightImage& image, const House& house) {
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const size_t i = image.index(row, col);
-      if (!(image.weight[i] > 0.0f)) continue;
+      if (!is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
       const int b = field.block_at_house(p);
       if (b < 0 || field.sources()[b].role != BlockRole::kGarage ||
@@ -203,6 +226,11 @@ void propose_beside(const HeightImage& image, const Region& region, double price
     }
   };
   attempt(garage_rectangle(box, height));
+  // The flat part of a region that holds more than a garage.
+  const Region flat = flat_part(image, region);
+  if (flat.pixels.size() < region.pixels.size()) {
+    attempt(garage_rectangle(house_box(image, field, flat), mean_height(image, flat)));
+  }
 }
 
 }  // namespace
@@ -216,7 +244,7 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const size_t i = image.index(row, col);
-      if (!(image.weight[i] > 0.0f)) continue;
+      if (!is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
       const double above = image.height[i] - field.at_house(p, 0.0, image.ground[i]);
       if (above < least) continue;

@@ -33,6 +33,10 @@ struct PenaltyOptions {
 PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options);
 
+/// How many components and garages do not fit what they show: fewer than 75 % of their pixels lie
+/// within 2.5 standard deviations. Each is charged in J.
+int count_unfit_blocks(const HeightImage& image, const House& house, double noise);
+
 /// How many parameters of a rule are charged. Those that heights hardly change from what is common
 /// (a dormer's depth and rise, a chimney's side) carry no news and are free.
 int charged_parameters(const Rule& rule);

@@ -85,12 +85,19 @@ std::vector<unsigned char> find_vegetation(const HeightImage& image,
   return out;
 }
 
+void set_aside(size_t pixel, HeightImage* image) {
+  constexpr float kWeight = 0.05f;
+  image->weight[pixel] = kWeight;
+  image->height[pixel] = image->ground[pixel];
+}
+
 int leave_out_vegetation(const VegetationOptions& options, HeightImage* image) {
   const std::vector<unsigned char> crowns = find_vegetation(*image, options);
   int count = 0;
   for (size_t i = 0; i < crowns.size(); ++i) {
     if (!crowns[i]) continue;
-    image->weight[i] = 0.0f;
+    set_aside(i, image);
+    if (!image->inside.empty()) image->inside[i] = 0;
     ++count;
   }
   return count;

@@ -20,7 +20,11 @@ struct VegetationOptions {
 std::vector<unsigned char> find_vegetation(const HeightImage& image,
                                            const VegetationOptions& options);
 
-/// Sets the weights of crowns to 0. Returns how many pixels that were.
+/// Sets a pixel aside of which nothing is known: it becomes bare ground of very little weight, so
+/// that it decides nothing but whether blocks spread over it without need.
+void set_aside(size_t pixel, HeightImage* image);
+
+/// Sets the pixels of crowns aside; they are not the building's. Returns how many that were.
 int leave_out_vegetation(const VegetationOptions& options, HeightImage* image);
 
 }  // namespace gable

@@ -38,7 +38,7 @@ PointErrors point_errors(const HeightImage& image, const House& house) {
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const size_t i = image.index(row, col);
-      if (!(image.weight[i] > 0.0f)) continue;
+      if (!is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
       if (field.block_at_house(p) < 0) continue;
       const double error = std::abs(field.at_house(p, 0.0, image.ground[i]) - image.height[i]);
