@@ -71,6 +71,12 @@ std::string check(const RefinementOptions& options) {
       return "max_iterations must lie in [1, 1000]";
     }
   }
+  if (!(options.height_deviation > 0.0 && options.height_deviation <= 100.0)) {
+    return "height_deviation must lie in (0, 100]";
+  }
+  for (const ParameterPrior& prior : options.priors) {
+    if (!(prior.deviation > 0.0)) return "a prior's deviation must be above 0";
+  }
   if (!(options.function_tolerance >= 0.0 && options.function_tolerance < 1.0)) {
     return "function_tolerance must lie in [0, 1)";
   }
@@ -99,6 +105,12 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
     problem_options.disable_all_safety_checks = true;
     ceres::Problem problem(problem_options);
     problem.AddResidualBlock(cost.release(), nullptr, blocks);
+    if (!options.priors.empty()) {
+      HouseRelation relation = parameter_priors(*house, options.priors, options.height_deviation);
+      std::vector<double*> seen;
+      for (int rule : relation.rules) seen.push_back(blocks[rule]);
+      problem.AddResidualBlock(relation.cost.release(), nullptr, seen);
+    }
     for (size_t b = 0; b < rules.size(); ++b) set_bounds(*rules[b], blocks[b], &problem);
     if (!options.refine_azimuth) problem.SetParameterBlockConstant(blocks[0]);
     for (size_t b = 0; b < rules.size() && !options.only_rules.empty(); ++b) {

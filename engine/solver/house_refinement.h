@@ -3,6 +3,7 @@
 #include <gable/engine/solver/minimizer.h>
 #include <gable/grammar/house.h>
 #include <gable/residuals/height_image.h>
+#include <gable/residuals/house_relations.h>
 #include <gable/residuals/robust_loss.h>
 
 #include <string>
@@ -31,6 +32,10 @@ struct RefinementOptions {
   bool refine_azimuth = true;
   /// Positions (House::derivation) of the rules to refine; the others stay. Empty: all.
   std::vector<int> only_rules;
+  /// What is known of parameters besides the heights (detectors, planes), weighed against pixels by
+  /// `height_deviation`, the standard deviation of one pixel's height, metres, (0, 100].
+  std::vector<ParameterPrior> priors;
+  double height_deviation = 0.2;
   bool deviations = true;  ///< compute the parameters' standard deviations at the end
 };
 
@@ -40,9 +45,10 @@ std::string check(const RefinementOptions& options);
 /// What a refinement did.
 struct RefinementSummary {
   std::vector<MinimizerSummary> stages;
-  double final_cost = -1.0;  ///< half the sum of squared robust residuals in the last stage
-  int num_samples = 0;       ///< pixels compared in the last stage
-  int iterations = 0;        ///< over all stages
+  double final_cost =
+      -1.0;             ///< half the sum of squared residuals in the last stage, priors included
+  int num_samples = 0;  ///< pixels compared in the last stage
+  int iterations = 0;   ///< over all stages
   double time_ms = 0.0;
   Termination termination = Termination::kFailed;  ///< of the last stage
   double mad = 0.0;   ///< mean |h - height| over the pixels the house covers, point samples, metres
