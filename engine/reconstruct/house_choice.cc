@@ -109,7 +109,7 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   if (candidates.empty()) return choice;
 
   PenaltyOptions penalty;
-  penalty.support = 0.5;
+  penalty.support = 0.25;
   penalty.loss = LossKind::kGemanMcClure;
   penalty.loss_scale = 0.5;
   // Ranked by what the wide stage minimises: edges are not in place yet.

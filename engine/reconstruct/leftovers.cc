@@ -181,8 +181,16 @@ void propose_on_roof(const HeightImage& image, const Region& region, double pric
   chimney.values = {center.x(), center.y(), std::clamp(side, 0.5, 1.5), height};
   with.chimneys.push_back(chimney);
   const int chimney_block = with.chimney_block(static_cast<int>(house.chimneys.size()));
-  keep_better(fit_one(window, chimney_block, price, options.penalty, house, 0.5, &with), with,
-              best);
+  const double chimney_gain =
+      fit_one(window, chimney_block, price, options.penalty, house, 0.5, &with);
+  const Rule& fitted = with.chimneys.back();
+  const Eigen::Vector2d foot(fitted[0], fitted[1]);
+  const int under = field.block_at_house(foot);
+  const double up = fitted[param::chimney::kHeight] - field.at_house(foot, 0.0, 0.0);
+  if (under >= 0 && field.sources()[under].role == BlockRole::kComponent &&
+      up >= options.least_chimney_rise && up <= options.most_chimney_rise) {
+    keep_better(chimney_gain, with, best);
+  }
 
   // The component under the centre carries the dormer.
   int component = -1;
@@ -197,17 +205,30 @@ void propose_on_roof(const HeightImage& image, const Region& region, double pric
     }
   }
   if (component < 0 || house.roofs[component].kind == RuleKind::kRoofFlat) return;
-  with = house;
-  Rule dormer = make_rule(RuleKind::kDormer);
-  dormer.component = component;
   const bool along_x = house.roofs[component].ridge == Axis::kX;
-  const double width = std::max(along_x ? box.x1 - box.x0 : box.y1 - box.y0, 1.0);
-  const double depth = std::max(along_x ? box.y1 - box.y0 : box.x1 - box.x0, 1.0);
-  const double rise = std::tan(M_PI / 6.0) * 0.5 * width;
-  dormer.values = {center.x(), center.y(), width, depth, height - 0.5 * rise, rise};
-  with.dormers.push_back(dormer);
-  const int dormer_block = with.dormer_block(static_cast<int>(house.dormers.size()));
-  keep_better(fit_one(window, dormer_block, price, options.penalty, house, 0.5, &with), with, best);
+  const double seen_width = along_x ? box.x1 - box.x0 : box.y1 - box.y0;
+  const double seen_depth = along_x ? box.y1 - box.y0 : box.x1 - box.x0;
+  // What is seen, and the paper's common size: a low dormer shows its front only.
+  const Eigen::Vector2d sizes[] = {{std::max(seen_width, 1.2), std::max(seen_depth, 1.0)},
+                                   {2.0, 2.0}};
+  for (const Eigen::Vector2d& size : sizes) {
+    with = house;
+    Rule dormer = make_rule(RuleKind::kDormer);
+    dormer.component = component;
+    const double rise = std::tan(M_PI / 6.0) * 0.5 * size.x();
+    dormer.values = {center.x(), center.y(), size.x(), size.y(), height - 0.5 * rise, rise};
+    with.dormers.push_back(dormer);
+    const int dormer_block = with.dormer_block(static_cast<int>(house.dormers.size()));
+    const double gain = fit_one(window, dormer_block, price, options.penalty, house, 0.5, &with);
+    namespace d = param::dormer;
+    const Rule& fit = with.dormers.back();
+    const double above =
+        fit[d::kEaves] + fit[d::kRise] - field.at_house({fit[0], fit[1]}, 0.0, 0.0);
+    if (above <= options.most_dormer_rise &&
+        fit[d::kWidth] * fit[d::kDepth] >= options.least_dormer_area) {
+      keep_better(gain, with, best);
+    }
+  }
 }
 
 void propose_beside(const HeightImage& image, const Region& region, double price,
@@ -240,7 +261,7 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
   const HeightField field(*house);
   cv::Mat on_roof = cv::Mat::zeros(image.rows, image.cols, CV_8U);
   cv::Mat beside = cv::Mat::zeros(image.rows, image.cols, CV_8U);
-  const double least = std::max(options.least_height, 3.0 * options.penalty.noise);
+  const double least = std::max(options.least_height, 2.5 * options.penalty.noise);
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const size_t i = image.index(row, col);

@@ -10,11 +10,16 @@ namespace gable {
 
 /// When what a house leaves unexplained becomes a rule.
 struct LeftoverOptions {
-  PenaltyOptions penalty;          ///< prices rules
-  double least_height = 0.45;      ///< of a pixel above the model to count, metres, > 0
-  double least_garage_area = 4.0;  ///< square metres, > 0
-  double most_roof_area = 30.0;    ///< of a dormer or chimney proposal, square metres
-  double fitting_share = 0.6;      ///< of a garage's pixels within 0.5 m of its top, [0, 1]
+  PenaltyOptions penalty;           ///< prices rules
+  double least_height = 0.3;        ///< of a pixel above the model to count, metres, > 0;
+                                    ///< 2.5 times the noise where that is more
+  double least_garage_area = 4.0;   ///< square metres, > 0
+  double most_roof_area = 30.0;     ///< of a dormer or chimney proposal, square metres
+  double least_chimney_rise = 0.7;  ///< over the roof at its centre, metres
+  double most_chimney_rise = 3.5;   ///< metres
+  double most_dormer_rise = 1.8;    ///< of its ridge over the roof at its centre, metres
+  double least_dormer_area = 2.2;   ///< of its rectangle, square metres
+  double fitting_share = 0.6;       ///< of a garage's pixels within 0.5 m of its top, [0, 1]
 };
 
 /// Adds dormers, chimneys and garages to `house` where connected pixels stand above it: each region
