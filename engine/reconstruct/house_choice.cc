@@ -29,7 +29,7 @@ constexpr double kOutlierScale = 2.6;
 
 // Details are priced with a loss that saturates later, metres: pixels that stand out side by side
 // are no independent outliers.
-constexpr double kDetailScale = 0.5;
+constexpr double kDetailScale = 0.65;
 
 // Finalists with all their rewrites.
 constexpr size_t kMostFinalists = 16;

@@ -73,6 +73,16 @@ std::vector<unsigned char> find_vegetation(const HeightImage& image,
   // Gaps between leaves and the crowns' rims, whose neighbourhoods reach out to open ground.
   const int rim = std::max(1, static_cast<int>(std::lround(options.rim / image.gsd)));
   cv::morphologyEx(crowns, crowns, cv::MORPH_CLOSE, cv::Mat::ones(width + 1, width + 1, CV_8U));
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(crowns, labels, stats, centroids, 8);
+  for (int row = 0; row < image.rows; ++row) {
+    for (int col = 0; col < image.cols; ++col) {
+      const int label = labels.at<int>(row, col);
+      if (label == 0 || label >= count) continue;
+      const double area = stats.at<int>(label, cv::CC_STAT_AREA) * image.gsd * image.gsd;
+      if (area < options.least_area) crowns.at<unsigned char>(row, col) = 0;
+    }
+  }
   cv::dilate(crowns, crowns, cv::Mat::ones(2 * rim + 1, 2 * rim + 1, CV_8U));
   std::vector<unsigned char> out(image.size(), 0);
   for (int row = 0; row < image.rows; ++row) {

@@ -11,6 +11,7 @@ struct VegetationOptions {
   double roughness = 0.17;    ///< least deviation from any plane nearby, metres, > 0
   double least_height = 1.0;  ///< lower pixels are never vegetation, metres over the terrain
   double least_width = 1.4;   ///< narrower rough patches are kept: chimneys, masts, metres
+  double least_area = 4.0;    ///< smaller crowns are kept: dormers, clutter, square metres
   double rim = 0.5;           ///< width of the rim that is added to crowns, metres
 };
 
