@@ -10,6 +10,7 @@
 #include "examples/cli/common_options.h"
 #include "examples/cli/evaluate_command.h"
 #include "examples/cli/interrupt.h"
+#include "examples/cli/reconstruct_command.h"
 #include "examples/cli/synthesize_command.h"
 
 namespace gable {
@@ -47,6 +48,7 @@ int run_program(int argc, char** argv) {
   app.require_subcommand(1);
   const CommandContext context{interrupt.token()};
   add_synthesize_command(&app, context);
+  add_reconstruct_command(&app, context);
   add_evaluate_command(&app, context);
   try {
     app.parse(argc, argv);

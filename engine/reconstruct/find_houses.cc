@@ -1,0 +1,170 @@
+#include <gable/engine/reconstruct/find_houses.h>
+#include <gable/residuals/height_image.h>
+#include <glog/logging.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace gable {
+namespace {
+
+std::vector<unsigned char> crowns_of(const HeightRaster& dsm, const HeightRaster& dtm,
+                                     const VegetationOptions& options) {
+  HeightImage image;
+  image.gsd = dsm.grid.gsd;
+  image.rows = dsm.grid.rows;
+  image.cols = dsm.grid.cols;
+  image.height = dsm.values;
+  image.ground = dtm.values;
+  return find_vegetation(image, options);
+}
+
+/// Labels the cells with high[i] != 0 that connect over edges to the cell `seed` with `label`.
+FoundHouse flood(const std::vector<unsigned char>& high, size_t seed, int label,
+                 Raster<int>* labels, std::vector<size_t>* cells) {
+  FoundHouse house;
+  const Grid& grid = labels->grid;
+  cells->assign(1, seed);
+  labels->values[seed] = label;
+  for (size_t next = 0; next < cells->size(); ++next) {
+    const int row = static_cast<int>((*cells)[next] / grid.cols);
+    const int col = static_cast<int>((*cells)[next] % grid.cols);
+    house.box.add(row, col);
+    constexpr int kSteps[4][2] = {{-1, 0}, {0, -1}, {0, 1}, {1, 0}};
+    for (const auto& step : kSteps) {
+      const int r = row + step[0], c = col + step[1];
+      if (!grid.contains(r, c)) continue;
+      const size_t i = static_cast<size_t>(r) * grid.cols + c;
+      if (!high[i] || labels->values[i] != 0) continue;
+      labels->values[i] = label;
+      cells->push_back(i);
+    }
+  }
+  house.num_cells = static_cast<int>(cells->size());
+  return house;
+}
+
+/// Number of crown cells within `reach` cells of a piece.
+int crown_around(const Raster<int>& labels, const Raster<unsigned char>& crown, int label,
+                 const CellBox& box, int reach) {
+  const Grid& grid = labels.grid;
+  const int row0 = std::max(0, box.row0 - reach), row1 = std::min(grid.rows, box.row1 + reach);
+  const int col0 = std::max(0, box.col0 - reach), col1 = std::min(grid.cols, box.col1 + reach);
+  cv::Mat piece(row1 - row0, col1 - col0, CV_8U);
+  for (int row = row0; row < row1; ++row) {
+    for (int col = col0; col < col1; ++col) {
+      piece.at<unsigned char>(row - row0, col - col0) = labels.at(row, col) == label;
+    }
+  }
+  cv::dilate(piece, piece, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+  int count = 0;
+  for (int row = row0; row < row1; ++row) {
+    for (int col = col0; col < col1; ++col) {
+      count += piece.at<unsigned char>(row - row0, col - col0) && crown.at(row, col);
+    }
+  }
+  return count;
+}
+
+/// Removes the houses that are not kept and numbers the others anew, in the same order.
+void keep_houses(const std::vector<char>& keep, FoundHouses* found) {
+  std::vector<int> new_label(found->houses.size() + 1, FoundHouses::kDropped);
+  new_label[0] = 0;
+  std::vector<FoundHouse> kept;
+  for (size_t i = 0; i < found->houses.size(); ++i) {
+    if (!keep[i]) continue;
+    kept.push_back(found->houses[i]);
+    new_label[i + 1] = static_cast<int>(kept.size());
+  }
+  for (int& label : found->label.values) label = label < 0 ? label : new_label[label];
+  found->houses = std::move(kept);
+}
+
+}  // namespace
+
+std::string check(const FindHousesOptions& options) {
+  if (!(options.least_height > 0.0 && options.least_height <= 100.0)) {
+    return "least_height must lie in (0, 100] m";
+  }
+  if (!(options.least_area >= 0.0 && options.least_area <= 1e6)) {
+    return "least_area must lie in [0, 1e6] square metres";
+  }
+  if (!(options.crown_reach >= 0.0 && options.crown_reach <= 10.0)) {
+    return "crown_reach must lie in [0, 10] m";
+  }
+  return "";
+}
+
+void CellBox::add(int row, int col) {
+  if (empty()) {
+    *this = {row, col, row + 1, col + 1};
+    return;
+  }
+  row0 = std::min(row0, row);
+  col0 = std::min(col0, col);
+  row1 = std::max(row1, row + 1);
+  col1 = std::max(col1, col + 1);
+}
+
+FoundHouses find_houses(const HeightRaster& dsm, const HeightRaster& dtm,
+                        const FindHousesOptions& options) {
+  CHECK(check(options).empty()) << check(options);
+  CHECK(dsm.grid == dtm.grid);
+  const Grid& grid = dsm.grid;
+  FoundHouses found;
+  found.label = Raster<int>(grid, 0);
+  found.crown = Raster<unsigned char>(grid, 0);
+  found.crown.values = crowns_of(dsm, dtm, options.vegetation);
+  std::vector<unsigned char> high(grid.size(), 0);
+  for (size_t i = 0; i < high.size(); ++i) {
+    high[i] = !found.crown.values[i] && dsm.values[i] - dtm.values[i] > options.least_height;
+  }
+
+  const double cell_area = grid.gsd * grid.gsd;
+  const int reach = static_cast<int>(std::lround(options.crown_reach / grid.gsd));
+  std::vector<size_t> cells;
+  for (size_t seed = 0; seed < high.size(); ++seed) {
+    if (!high[seed] || found.label.values[seed] != 0) continue;
+    const int label = static_cast<int>(found.houses.size()) + 1;
+    const FoundHouse house = flood(high, seed, label, &found.label, &cells);
+    const bool small = house.num_cells * cell_area < options.least_area;
+    const bool crown =
+        !small && crown_around(found.label, found.crown, label, house.box, reach) > house.num_cells;
+    if (!small && !crown) {
+      found.houses.push_back(house);
+      continue;
+    }
+    (small ? found.num_small : found.num_crown) += 1;
+    for (const size_t i : cells) found.label.values[i] = FoundHouses::kDropped;
+  }
+  return found;
+}
+
+int keep_near_footprints(const std::vector<PlanPolygon>& polygons, FoundHouses* found) {
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const PlanPolygon& polygon : polygons) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : polygon.outer) box.extend(p);
+    if (box.isEmpty()) continue;
+    const Eigen::Vector2d half = box.sizes();
+    boxes.emplace_back(box.center() - half, box.center() + half);
+  }
+  const Grid& grid = found->label.grid;
+  std::vector<char> keep;
+  for (const FoundHouse& house : found->houses) {
+    const Eigen::Vector2d a = grid.center_of(house.box.row0, house.box.col0);
+    const Eigen::Vector2d b = grid.center_of(house.box.row1 - 1, house.box.col1 - 1);
+    keep.push_back(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox2d& box) {
+      return box.contains(a) && box.contains(b);
+    }));
+  }
+  const int dropped = static_cast<int>(std::count(keep.begin(), keep.end(), 0));
+  keep_houses(keep, found);
+  return dropped;
+}
+
+}  // namespace gable

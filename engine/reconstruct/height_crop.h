@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gable/engine/reconstruct/find_houses.h>
+#include <gable/engine/reconstruct/vegetation.h>
+#include <gable/grammar/raster.h>
+#include <gable/residuals/height_image.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace gable {
+
+/// What a cell is to the building that a crop is made for.
+enum class CellRole : uint8_t {
+  kOpen,       ///< of no building
+  kBuilding,   ///< its own
+  kNeighbour,  ///< of another building, or of something else that stands there
+  kCrown,      ///< a tree crown
+  kCovered,    ///< its own, under a tree crown
+};
+
+/// How crops are made.
+struct HeightCropOptions {
+  double margin = 3.5;      ///< of terrain around the building's cells, metres, [0, 100]
+  int max_cells = 40000;    ///< larger crops are thinned by a whole factor, [100, 1e8]
+  double neighbour = 0.05;  ///< weight of a neighbour's cells where the outline is known, [0, 1]
+};
+
+/// Empty if the options are in range; otherwise names the violated bound.
+std::string check(const HeightCropOptions& options);
+
+/// The cells of `grid` around a box with a margin, cut at the grid's edge; the result's cells are
+/// cells of `grid`.
+CellBox with_margin(const CellBox& box, double margin, const Grid& grid);
+
+/// Cuts the height image of one building out of `dsm` and `dtm` (one grid, NaN where there is no
+/// height; `dtm` without NaN). `roles` holds the cells of `box`, row by row. The origin is the
+/// box's centre at the median terrain under the building.
+///
+/// Where the building was found in the heights, neighbours (and cells beside them) and crowns are
+/// left out. Where its outline is known, it ends there whatever stands beyond: open and neighbours'
+/// cells get the terrain's height, neighbours' with a small weight since they are no evidence of
+/// terrain. Its own covered cells are inside and left out.
+HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const CellBox& box,
+                         const std::vector<CellRole>& roles, bool outline_known,
+                         const HeightCropOptions& options);
+
+}  // namespace gable

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <gable/engine/io/building.h>
+#include <gable/engine/io/building_model.h>
+#include <gable/engine/io/footprint_file.h>
+#include <gable/engine/io/raster_file.h>
+#include <gable/engine/reconstruct/find_houses.h>
+#include <gable/engine/reconstruct/height_crop.h>
+#include <gable/engine/reconstruct/reconstruct_building.h>
+#include <gable/engine/reconstruct/terrain.h>
+#include <gable/residuals/height_image.h>
+
+#include <cstddef>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace gable {
+
+/// What is reconstructed.
+struct TileInput {
+  const RasterFile* dsm = nullptr;
+  const RasterFile* dtm = nullptr;  ///< null: the terrain is derived from the surface
+  /// Every polygon is one building; null: buildings are found in the heights.
+  const std::vector<Footprint>* footprints = nullptr;
+  /// Where buildings are found in the heights: only those near a polygon are kept, see
+  /// `keep_near_footprints`. Null: all are.
+  const std::vector<Footprint>* filter = nullptr;
+};
+
+struct TileOptions {
+  FindHousesOptions find;
+  HeightCropOptions crop;
+  BuildingOptions building;
+  TerrainOptions terrain;
+  int window_cells = 2048;  ///< the raster is worked on in windows of this size, [64, 32768]
+  /// By how much windows reach beyond that, metres, [0, 10000]. Buildings found in the heights that
+  /// are longer may be cut where windows meet.
+  double overlap = 100.0;
+  int threads = 1;  ///< [1, 1024]
+};
+
+/// Empty if the options are in range; otherwise names the violated bound.
+std::string check(const TileOptions& options);
+
+/// One building of a tile.
+struct TileBuilding {
+  size_t index = 0;  ///< counts the buildings in the order of delivery
+  Building building;
+  BuildingModel model;
+  HeightImage image;  ///< what it was fitted to
+};
+
+/// What a caller does with the buildings. Members may be empty.
+struct TileCallbacks {
+  /// Called by worker threads, in any order, before the building is delivered.
+  std::function<void(const TileBuilding&)> inspect;
+  /// Called on the calling thread, in order.
+  std::function<void(TileBuilding&&)> deliver;
+  /// Called on the calling thread when the buildings of a window are known.
+  std::function<void(int window, int num_windows, size_t num_buildings)> begin_window;
+};
+
+/// What happened.
+struct TileSummary {
+  size_t num_buildings = 0;
+  int num_small = 0;  ///< high pieces that were too small to be houses
+  int num_crown = 0;  ///< high pieces that were parts of tree crowns
+  int num_far = 0;    ///< houses dropped by the filter
+  bool stopped = false;
+};
+
+/// Reconstructs all buildings of a raster of any size, window by window, on several threads. The
+/// buildings and their order depend on neither the number of threads nor their timing. Buildings
+/// that are found get ids from their place: "b<easting>_<northing>" in decimetres. Throws Error
+/// where a file is damaged.
+TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
+                             const std::stop_token& stop, const TileCallbacks& callbacks);
+
+}  // namespace gable
