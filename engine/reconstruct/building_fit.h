@@ -21,4 +21,7 @@ struct BuildingFit {
 /// image's.
 BuildingFit fit_of_building(const HeightImage& image, const Building& building);
 
+/// Makes the pixels that the model covers the inside ones, and no others.
+void mark_covered(const Building& building, HeightImage* image);
+
 }  // namespace gable

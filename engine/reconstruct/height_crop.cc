@@ -100,4 +100,12 @@ HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const
   return image;
 }
 
+void move_origin(const Eigen::Vector3d& origin, HeightImage* image) {
+  const Eigen::Vector3d step = image->origin - origin;
+  image->first_center += step.head<2>();
+  for (float& z : image->height) z = static_cast<float>(z + step.z());
+  for (float& z : image->ground) z = static_cast<float>(z + step.z());
+  image->origin = origin;
+}
+
 }  // namespace gable

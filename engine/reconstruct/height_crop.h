@@ -45,4 +45,7 @@ HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const
                          const std::vector<CellRole>& roles, bool outline_known,
                          const HeightCropOptions& options);
 
+/// Expresses an image relative to another origin; the world points of its pixels stay.
+void move_origin(const Eigen::Vector3d& origin, HeightImage* image);
+
 }  // namespace gable

@@ -100,6 +100,9 @@ std::string check(const BuildingOptions& options) {
   if (!(options.outline_tolerance >= 0.01 && options.outline_tolerance <= 10.0)) {
     return "outline_tolerance must lie in [0.01, 10] m";
   }
+  if (!(options.extrusion_margin >= 0.0 && options.extrusion_margin <= 10.0)) {
+    return "extrusion_margin must lie in [0, 10] m";
+  }
   return "";
 }
 
@@ -134,7 +137,7 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   house.building.deviations = choice.summary.deviations;
   const BuildingFit fit = fit_of_building(image, house.building);
   set_fit(fit, &house.building);
-  if (fit.charge >= flat.charge) {
+  if (fit.charge > flat.charge + options.extrusion_margin) {
     return give_extrusion("the best house of the grammar is " + metres(fit.charge) +
                           " from the heights on average, the extruded outline " +
                           metres(flat.charge));
@@ -147,25 +150,31 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   return house;
 }
 
-ReconstructedBuilding refine_building(const Building& start, const HeightImage& image,
-                                      const RefinementOptions& options) {
-  CHECK(start.house && start.house->origin == image.origin);
+ReconstructedBuilding refine_building(const Building& start, const RefinementOptions& options,
+                                      HeightImage* image) {
+  CHECK(start.house && start.house->origin == image->origin);
   const Stopwatch watch;
   Building refined = start;
+  if (measured_heights(*image).empty()) {
+    refined.reason = "not refined: no heights there";
+    return {refined, build_model(refined)};
+  }
   refined.reason.clear();
-  const RefinementSummary summary = refine_house(image, options, &*refined.house);
+  const RefinementSummary summary = refine_house(*image, options, &*refined.house);
   refined.deviations = summary.deviations;
-  set_fit(fit_of_building(image, refined), &refined);
+  mark_covered(refined, image);
+  set_fit(fit_of_building(*image, refined), &refined);
   BuildingModel model = build_model(refined);
   std::string reason = defect_of(model);
   if (summary.termination == Termination::kFailed) reason = "no solution was found";
-  if (robust_cost(image, options, *start.house) < robust_cost(image, options, *refined.house)) {
+  if (robust_cost(*image, options, *start.house) < robust_cost(*image, options, *refined.house)) {
     reason = "the given house is nearer to the heights";
   }
   if (!reason.empty()) {
     refined = start;
     refined.reason = "not refined: " + reason;
-    set_fit(fit_of_building(image, refined), &refined);
+    mark_covered(refined, image);
+    set_fit(fit_of_building(*image, refined), &refined);
     model = build_model(refined);
   }
   refined.quality.time_ms = watch.ms();

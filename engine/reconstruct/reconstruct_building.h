@@ -15,6 +15,9 @@ struct BuildingOptions {
   /// Buildings with less measured area than this become extrusions, square metres, [0, 1000].
   double least_area = 4.0;
   double outline_tolerance = 0.5;  ///< of outlines traced from pixels, metres, [0.01, 10]
+  /// A house is kept unless the extruded outline is nearer to the heights by more than this,
+  /// metres, [0, 10].
+  double extrusion_margin = 0.02;
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
@@ -27,18 +30,19 @@ struct ReconstructedBuilding {
 };
 
 /// Reconstructs one building from its heights: the house that `choose_house` finds, unless the
-/// outline extruded to the median height (LoD 1.2) is nearer to the heights, or no valid solid can
-/// be made of the house; then that extrusion, with the reason. Both are measured over the inside
-/// pixels, a miss counting as terrain, with what they cover beyond them added. `outline` is the
-/// known outline in the image's local frame, or null: then it is traced from the inside pixels.
+/// outline extruded to the median height (LoD 1.2) is clearly nearer to the heights, or no valid
+/// solid can be made of the house; then that extrusion, with the reason. Both are measured over the
+/// inside pixels, a miss counting as terrain, with what they cover beyond them added. `outline` is
+/// the known outline in the image's local frame, or null: then it is traced from the inside pixels.
 /// Always returns a building.
 ReconstructedBuilding reconstruct_building(const std::string& id, const HeightImage& image,
                                            const PlanPolygon* outline,
                                            const BuildingOptions& options);
 
-/// Refines a house against its heights; house.origin must be image.origin. The start is kept, with
+/// Refines a house against its heights; house.origin must be image->origin. The start is kept, with
 /// a reason, where refinement does not lower the cost of its last stage or leaves no valid solid.
-ReconstructedBuilding refine_building(const Building& start, const HeightImage& image,
-                                      const RefinementOptions& options);
+/// The inside pixels, which quality is measured over, become those that the result covers.
+ReconstructedBuilding refine_building(const Building& start, const RefinementOptions& options,
+                                      HeightImage* image);
 
 }  // namespace gable

@@ -5,7 +5,6 @@
 #include <gable/engine/evaluate/evaluation_report.h>
 #include <gable/engine/evaluate/triangles.h>
 #include <gable/engine/io/build_model.h>
-#include <gable/engine/io/building_file.h>
 #include <gable/engine/io/raster_file.h>
 #include <gable/grammar/plan_outline.h>
 
@@ -16,6 +15,8 @@
 #include <memory>
 #include <string>
 
+#include "examples/cli/model_input.h"
+
 namespace gable {
 namespace {
 
@@ -24,17 +25,6 @@ struct EvaluateOptions {
   std::string models, dsm, dtm, truth;
   bool per_building = false;
 };
-
-/// The models of a file, checked to lie in the surface's reference system.
-std::vector<Building> read_models(const std::string& path, const RasterFile& dsm) {
-  BuildingFile file = read_buildings(path);
-  if (file.epsg != 0 && dsm.crs().epsg != 0 && file.epsg != dsm.crs().epsg) {
-    throw Error(ExitCode::kBadInput, path + ": is in EPSG:" + std::to_string(file.epsg) + ", but " +
-                                         dsm.path() + " in EPSG:" + std::to_string(dsm.crs().epsg) +
-                                         "; reproject one of them");
-  }
-  return std::move(file.buildings);
-}
 
 /// The world rectangle around all buildings.
 struct Extent {

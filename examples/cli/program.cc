@@ -11,6 +11,7 @@
 #include "examples/cli/evaluate_command.h"
 #include "examples/cli/interrupt.h"
 #include "examples/cli/reconstruct_command.h"
+#include "examples/cli/refine_command.h"
 #include "examples/cli/synthesize_command.h"
 
 namespace gable {
@@ -49,6 +50,7 @@ int run_program(int argc, char** argv) {
   const CommandContext context{interrupt.token()};
   add_synthesize_command(&app, context);
   add_reconstruct_command(&app, context);
+  add_refine_command(&app, context);
   add_evaluate_command(&app, context);
   try {
     app.parse(argc, argv);

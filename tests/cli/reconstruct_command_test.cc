@@ -1,0 +1,93 @@
+#include <gable/engine/io/building_file.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "cli/village_folder.h"
+
+namespace gable {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::set<std::string> ids_of(const std::vector<Building>& buildings) {
+  std::set<std::string> ids;
+  for (const Building& building : buildings) ids.insert(building.id);
+  return ids;
+}
+
+TEST(ReconstructCommand, EveryFootprintComesOutUnderItsId) {
+  const VillageFolder village;
+  const std::string out = village.path("out.city.jsonl");
+  const ProgramRun run =
+      run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "--footprints",
+                 village.footprints(), "-o", out, "--obj", village.path("out.obj"), "--glb",
+                 village.path("out.glb"), "--report", village.path("report"), "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out + run.err, "");
+  const BuildingFile file = read_buildings(out);
+  EXPECT_EQ(ids_of(file.buildings), ids_of(read_buildings(village.truth()).buildings));
+  EXPECT_EQ(file.epsg, 27700);
+  for (const Building& building : file.buildings) {
+    EXPECT_EQ(building.status, BuildingStatus::kGrammar) << building.id << building.reason;
+    EXPECT_LT(building.quality.mad, 0.4) << building.id;
+    EXPECT_LE(building.base, 0.0) << building.id;
+  }
+  EXPECT_THAT(file_bytes(village.path("out.obj")), HasSubstr("\nf "));
+  EXPECT_EQ(file_bytes(village.path("out.glb")).substr(0, 4), "glTF");
+  EXPECT_TRUE(std::filesystem::exists(village.path("report/index.html")));
+}
+
+TEST(ReconstructCommand, WithoutFootprintsTheSameHousesAreFound) {
+  const VillageFolder village;
+  const std::string out = village.path("out.city.json");
+  const ProgramRun run =
+      run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o", out, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const ProgramRun judged = run_gable({"evaluate", out, "--dsm", village.dsm(), "--dtm",
+                                       village.dtm(), "--truth", village.truth()});
+  EXPECT_EQ(judged.exit_code, 0) << judged.err;
+  EXPECT_THAT(judged.out, HasSubstr("4, 4 matched, 0 missed; 0 invented")) << judged.out;
+}
+
+TEST(ReconstructCommand, WithoutTerrainOneIsDerivedAndSaidSo) {
+  const VillageFolder village;
+  const std::string out = village.path("out.city.jsonl");
+  const ProgramRun run = run_gable({"reconstruct", village.dsm(), "-o", out});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("the terrain is derived"));
+  EXPECT_EQ(read_buildings(out).buildings.size(), 4u);
+}
+
+TEST(ReconstructCommand, OneAndTwoThreadsGiveTheSameBytes) {
+  const VillageFolder village;
+  for (const std::string threads : {"1", "2"}) {
+    const ProgramRun run =
+        run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o",
+                   village.path(threads + ".city.jsonl"), "--obj", village.path(threads + ".obj"),
+                   "--glb", village.path(threads + ".glb"), "--threads", threads, "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  for (const std::string end : {".city.jsonl", ".obj", ".glb"}) {
+    const std::string bytes = file_bytes(village.path("1" + end));
+    EXPECT_FALSE(bytes.empty()) << end;
+    EXPECT_TRUE(bytes == file_bytes(village.path("2" + end))) << end;
+  }
+  EXPECT_THAT(file_bytes(village.path("1.city.jsonl")), Not(HasSubstr("gable_time_ms")));
+}
+
+TEST(ReconstructCommand, TimesAreWrittenOnRequest) {
+  const VillageFolder village(1);
+  const std::string out = village.path("out.city.jsonl");
+  const ProgramRun run = run_gable(
+      {"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o", out, "--times", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(file_bytes(out), HasSubstr("gable_time_ms"));
+}
+
+}  // namespace
+}  // namespace gable
