@@ -46,10 +46,10 @@ constexpr ParameterSpec kRoof[] = {
 constexpr ParameterSpec kDormer[] = {
     {"center_x", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
     {"center_y", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
-    {"width", "m", 1.2, 6.0, 2.0, "common value (NPR 4.3)"},
-    {"depth", "m", 1.2, 6.0, 2.0, "common value (NPR 4.3)"},
+    {"width", "m", 1.2, 4.5, 2.0, "common value (NPR 4.3)"},
+    {"depth", "m", 1.2, 4.2, 2.0, "common value (NPR 4.3)"},
     {"eaves", "m", 0.5, 200.0, 6.5, "heights at the centre"},
-    {"rise", "m", 0.0, 2.0, 0.577, "roof at 30 degrees (NPR 4.3)"},
+    {"rise", "m", 0.0, 1.6, 0.577, "roof at 30 degrees (NPR 4.3)"},
 };
 
 constexpr ParameterSpec kChimney[] = {

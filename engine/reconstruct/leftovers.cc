@@ -309,8 +309,25 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
   return added;
 }
 
+namespace {
+
+// A dormer or chimney as large as its table allows wants to be something else: a block that the
+// hypothesis lacks. Left in, it would make a wrong foundation look right.
+bool is_at_upper_bound(const Rule& rule) {
+  const auto specs = parameter_specs(rule.kind);
+  for (size_t k = 2; k < specs.size(); ++k) {
+    if (rule[static_cast<int>(k)] > specs[k].upper - 0.02) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 int drop_unpaid(const HeightImage& image, const PenaltyOptions& penalty, House* house) {
   int dropped = 0;
+  for (std::vector<Rule>* list : {&house->dormers, &house->chimneys}) {
+    dropped += static_cast<int>(std::erase_if(*list, is_at_upper_bound));
+  }
   double cost = penalised_cost(image, *house, penalty).total;
   for (std::vector<Rule> House::*list : {&House::dormers, &House::chimneys, &House::garages}) {
     for (size_t i = (house->*list).size(); i-- > 0;) {
