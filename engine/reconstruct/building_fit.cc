@@ -51,6 +51,7 @@ BuildingFit fit_of_building(const HeightImage& image, const Building& building) 
       beyond += image.weight[i] * difference;
       continue;
     }
+    if (!is_evidence(image, i)) continue;
     ++fit.pixels;
     sum += difference;
     squares += difference * difference;

@@ -84,12 +84,16 @@ HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const
       float height = std::isfinite(z) ? static_cast<float>(z) : ground;
       float weight = std::isfinite(z) && std::isfinite(terrain) ? 1.0f : 0.0f;
       const bool own = role == CellRole::kBuilding || role == CellRole::kCovered;
-      if (role == CellRole::kCrown || role == CellRole::kCovered) weight = 0.0f;
-      if (outline_known && !own) {
+      // What is known of no surface becomes ground of little weight: blocks do not spread over it
+      // without need.
+      const bool aside = role == CellRole::kCrown || role == CellRole::kCovered ||
+                         (!outline_known && !own && beside_neighbour(roles, rows, cols, row, col));
+      if (aside) {
+        height = ground;
+        weight = std::min(weight, static_cast<float>(options.neighbour));
+      } else if (outline_known && !own) {
         height = ground;
         weight = role == CellRole::kNeighbour ? static_cast<float>(options.neighbour) : 1.0f;
-      } else if (!outline_known && !own && beside_neighbour(roles, rows, cols, row, col)) {
-        weight = 0.0f;
       }
       image.height.push_back(height);
       image.ground.push_back(ground);

@@ -28,8 +28,8 @@ struct LeftoverOptions {
 /// Returns the number of rules added. The house's other rules are not touched.
 int add_leftovers(const HeightImage& image, const LeftoverOptions& options, House* house);
 
-/// Takes dormers, chimneys and garages away whose removal lowers the penalised cost, and dormers and
-/// chimneys that have grown to the bounds of their tables. Returns how many.
+/// Takes dormers, chimneys and garages away whose removal lowers the penalised cost, and dormers
+/// and chimneys that have grown to the bounds of their tables. Returns how many.
 int drop_unpaid(const HeightImage& image, const PenaltyOptions& penalty, House* house);
 
 }  // namespace gable

@@ -41,7 +41,7 @@ std::string metres(double value) {
 std::vector<float> measured_heights(const HeightImage& image) {
   std::vector<float> heights;
   for (size_t i = 0; i < image.size(); ++i) {
-    if (image.inside[i] && image.weight[i] > 0.0f) heights.push_back(image.height[i]);
+    if (image.inside[i] && is_evidence(image, i)) heights.push_back(image.height[i]);
   }
   return heights;
 }

@@ -127,8 +127,8 @@ class TileReconstruction {
     reconstruct_all(mine.size(), [&](size_t i) {
       const Footprint& footprint = footprints[mine[i]];
       TileBuilding out;
-      out.image = crop_footprint(window.dsm, window.dtm, outlined, footprint.polygon,
-                                 options_.find.vegetation, options_.crop);
+      out.image =
+          crop_footprint(window.dsm, window.dtm, outlined, footprint.polygon, options_.crop);
       const PlanPolygon outline = moved(footprint.polygon, out.image.origin.head<2>());
       add_model(footprint.id, &outline, &out);
       return out;

@@ -12,32 +12,6 @@ size_t size_of(const CellBox& box) {
   return static_cast<size_t>(box.row1 - box.row0) * static_cast<size_t>(box.col1 - box.col0);
 }
 
-/// Marks a building's own cells that lie under crowns, unless these are most of it.
-void cover_crowns(const HeightRaster& dsm, const HeightRaster& dtm, const CellBox& box,
-                  const VegetationOptions& options, std::vector<CellRole>* roles) {
-  HeightImage image;
-  image.gsd = dsm.grid.gsd;
-  image.rows = box.row1 - box.row0;
-  image.cols = box.col1 - box.col0;
-  for (int row = box.row0; row < box.row1; ++row) {
-    for (int col = box.col0; col < box.col1; ++col) {
-      image.height.push_back(dsm.at(row, col));
-      image.ground.push_back(dtm.at(row, col));
-    }
-  }
-  const std::vector<unsigned char> crown = find_vegetation(image, options);
-  size_t own = 0, hidden = 0;
-  for (size_t i = 0; i < roles->size(); ++i) {
-    if ((*roles)[i] != CellRole::kBuilding) continue;
-    ++own;
-    hidden += crown[i];
-  }
-  if (2 * hidden > own) return;
-  for (size_t i = 0; i < roles->size(); ++i) {
-    if ((*roles)[i] == CellRole::kBuilding && crown[i]) (*roles)[i] = CellRole::kCovered;
-  }
-}
-
 }  // namespace
 
 HeightImage crop_found_house(const HeightRaster& dsm, const HeightRaster& dtm,
@@ -61,7 +35,7 @@ HeightImage crop_found_house(const HeightRaster& dsm, const HeightRaster& dtm,
 
 HeightImage crop_footprint(const HeightRaster& dsm, const HeightRaster& dtm,
                            const Raster<unsigned char>& outlined, const PlanPolygon& polygon,
-                           const VegetationOptions& vegetation, const HeightCropOptions& options) {
+                           const HeightCropOptions& options) {
   Eigen::AlignedBox2d extent;
   for (const Eigen::Vector2d& p : polygon.outer) extent.extend(p);
   const CellBox box =
@@ -77,7 +51,6 @@ HeightImage crop_footprint(const HeightRaster& dsm, const HeightRaster& dtm,
   for_cells_in_polygon(polygon, Eigen::Vector2d::Zero(), grid, [&](int row, int col) {
     roles[static_cast<size_t>(row) * grid.cols + col] = CellRole::kBuilding;
   });
-  cover_crowns(dsm, dtm, box, vegetation, &roles);
   return crop_heights(dsm, dtm, box, roles, true, options);
 }
 

@@ -16,10 +16,11 @@ HeightImage crop_found_house(const HeightRaster& dsm, const HeightRaster& dtm,
                              const HeightCropOptions& options);
 
 /// The height image of the building over a known outline (world coordinates). `outlined` holds, on
-/// the grid of the two rasters, 1 where any outline covers a cell. Where tree crowns would hide
-/// more than half of the building its heights are believed instead.
+/// the grid of the two rasters, 1 where any outline covers a cell. Its heights are believed
+/// even where they are rough: within a known outline that is clutter on a roof more often than a
+/// crown over it.
 HeightImage crop_footprint(const HeightRaster& dsm, const HeightRaster& dtm,
                            const Raster<unsigned char>& outlined, const PlanPolygon& polygon,
-                           const VegetationOptions& vegetation, const HeightCropOptions& options);
+                           const HeightCropOptions& options);
 
 }  // namespace gable
