@@ -31,6 +31,14 @@ constexpr double kOutlierScale = 2.6;
 // are no independent outliers.
 constexpr double kDetailScale = 0.65;
 
+// Within a known outline nothing but the building is seen, and a loss that does not saturate tells
+// a near miss from a far one, metres.
+constexpr double kKnownOutlineScale = 0.3;
+
+// What a real roof deviates from its planes by, and hence how much a rule must explain to pay when
+// nothing saturates, metres.
+constexpr double kKnownOutlineNoise = 0.45;
+
 // Finalists with all their rewrites.
 constexpr size_t kMostFinalists = 16;
 
@@ -153,10 +161,15 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   penalty.noise = std::clamp(noise, options.least_noise, options.most_noise);
   penalty.loss_scale = kOutlierScale * penalty.noise;
   choice.noise = penalty.noise;
+  if (options.outline_known) {
+    penalty.loss = LossKind::kSoftL1;
+    penalty.loss_scale = kKnownOutlineScale;
+    penalty.noise = std::max(penalty.noise, kKnownOutlineNoise);
+  }
 
   LeftoverOptions leftovers;
   leftovers.penalty = penalty;
-  leftovers.penalty.loss_scale = kDetailScale;
+  if (!options.outline_known) leftovers.penalty.loss_scale = kDetailScale;
   for (Candidate& c : finalists) {
     if (simplify_roofs(image, penalty, &c.house) + add_leftovers(image, leftovers, &c.house) > 0) {
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
@@ -177,8 +190,9 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   choice.finalists = finalists;
   choice.best = finalists.front();
   simplify_roofs(image, penalty, &choice.best.house);
-  choice.summary =
-      refine(image, {{0.25, LossKind::kGemanMcClure, 0.5, 1, 15}}, true, &choice.best.house);
+  const LossKind last_loss = options.outline_known ? LossKind::kSoftL1 : LossKind::kGemanMcClure;
+  const double last_scale = options.outline_known ? kKnownOutlineScale : 0.5;
+  choice.summary = refine(image, {{0.25, last_loss, last_scale, 1, 15}}, true, &choice.best.house);
   choice.best.cost = penalised_cost(image, choice.best.house, penalty);
   const House nothing_there = [&] {
     House far = choice.best.house;

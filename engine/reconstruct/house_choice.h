@@ -16,6 +16,9 @@ struct HouseChoiceOptions {
   int finalists = 5;       ///< hypotheses refined to the end, [1, 20]
   /// Hypotheses whose robust cost is more than this times the least are given up early, > 1.
   double hopeless = 1.6;
+  /// The outline is known: pixels beyond it hold ground, and misses inside it count by their
+  /// height.
+  bool outline_known = false;
   double least_noise = 0.1;  ///< of the heights, metres, > 0
   double most_noise = 0.4;   ///< metres, >= least_noise
 };

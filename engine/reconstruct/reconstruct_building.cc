@@ -128,7 +128,9 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
     std::snprintf(text, sizeof(text), "only %.1f square metres with heights", area);
     return give_extrusion(text);
   }
-  const HouseChoice choice = choose_house(image, options.choice);
+  HouseChoiceOptions choice_options = options.choice;
+  choice_options.outline_known = outline != nullptr;
+  const HouseChoice choice = choose_house(image, choice_options);
   if (!choice.found) return give_extrusion("no house of the grammar explains the heights");
 
   ReconstructedBuilding house;
