@@ -30,6 +30,23 @@ void add_union_errors(const ModelSurface& model, const ModelSurface& truth, cons
   }
 }
 
+void add_footprint_errors(const ModelSurface& model, const EvaluationInput& input,
+                          Evaluation* result) {
+  HeightError over, both;
+  for (size_t i = 0; i < input.dsm->values.size(); ++i) {
+    const bool in_model = model.owner.values[i] >= 0;
+    const float seen = in_model ? model.height.values[i] : input.dtm->values[i];
+    if (input.footprints->values[i]) {
+      over.add(seen - input.dsm->values[i]);
+      both.add(seen - input.dsm->values[i]);
+    } else if (in_model) {
+      both.add(seen - input.dtm->values[i]);
+    }
+  }
+  result->over_footprints = over;
+  result->footprint_union = both;
+}
+
 HeightError union_error(const ModelSurface& model, const ModelSurface& truth,
                         const HeightRaster& dsm, const HeightRaster& dtm) {
   HeightError error;
@@ -136,6 +153,10 @@ Evaluation evaluate(const EvaluationInput& input, const EvaluationOptions& optio
     const double difference = model.height.values[i] - input.dsm->values[i];
     result.over_model.add(difference);
     result.buildings[model.owner.values[i]].over_model.add(difference);
+  }
+  if (input.footprints != nullptr) {
+    CHECK(input.footprints->grid == input.dsm->grid);
+    add_footprint_errors(model, input, &result);
   }
   if (input.truth != nullptr) evaluate_against_truth(input, model, &result);
   return result;

@@ -29,6 +29,8 @@ struct EvaluationInput {
   const std::vector<Building>* truth = nullptr;  ///< or null
   /// Triangles of each building's finest model, or empty where they are not known.
   std::vector<int> triangles;
+  /// On the same grid, not 0 where a known footprint covers a cell; or null.
+  const Raster<unsigned char>* footprints = nullptr;
 };
 
 /// One building of the model.
@@ -73,6 +75,11 @@ struct TruthSummary {
 struct Evaluation {
   EvaluationOptions options;
   HeightError over_model;  ///< model against the DSM over all cells that it covers
+  /// Where footprints were given: model against the DSM over their cells; one that the model misses
+  /// counts |DSM - DTM|.
+  std::optional<HeightError> over_footprints;
+  /// The same with the model's cells outside the footprints added; they count |model - DTM|.
+  std::optional<HeightError> footprint_union;
   std::optional<double> mean_triangles;
   std::vector<BuildingScore> buildings;  ///< in the order of the input
   std::vector<TruthScore> truth;         ///< in the order of the input; empty without truth

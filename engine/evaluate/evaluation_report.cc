@@ -76,6 +76,12 @@ std::string evaluation_report(const Evaluation& evaluation, bool per_building) {
   std::ostringstream out;
   out << std::left << std::setw(34) << "buildings" << evaluation.buildings.size() << '\n';
   write_error("model to DSM, over the model", evaluation.over_model, out);
+  if (evaluation.over_footprints) {
+    write_error("model to DSM, over footprints", *evaluation.over_footprints, out);
+  }
+  if (evaluation.footprint_union) {
+    write_error("model to DSM, over either", *evaluation.footprint_union, out);
+  }
   if (evaluation.mean_triangles) {
     out << std::left << std::setw(34) << "triangles, mean" << std::fixed << std::setprecision(1)
         << *evaluation.mean_triangles << '\n';

@@ -20,7 +20,7 @@ std::vector<unsigned char> crowns_of(const HeightRaster& dsm, const HeightRaster
   image.cols = dsm.grid.cols;
   image.height = dsm.values;
   image.ground = dtm.values;
-  return find_vegetation(image, options);
+  return find_vegetation(image, vegetation_at(options, image.gsd));
 }
 
 /// Labels the cells with high[i] != 0 that connect over edges to the cell `seed` with `label`.
@@ -97,6 +97,14 @@ std::string check(const FindHousesOptions& options) {
     return "crown_reach must lie in [0, 10] m";
   }
   return "";
+}
+
+VegetationOptions vegetation_at(const VegetationOptions& options, double gsd) {
+  VegetationOptions scaled = options;
+  const double scale = std::max(1.0, gsd / 0.5);
+  scaled.roughness *= scale;
+  scaled.least_width *= scale;
+  return scaled;
 }
 
 void CellBox::add(int row, int col) {

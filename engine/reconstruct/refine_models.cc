@@ -52,7 +52,8 @@ void mark_crowns(const HeightRaster& dsm, const HeightRaster& dtm, const Vegetat
   image.cols = dsm.grid.cols;
   image.height = dsm.values;
   image.ground = dtm.values;
-  const std::vector<unsigned char> crown = find_vegetation(image, options);
+  const std::vector<unsigned char> crown =
+      find_vegetation(image, vegetation_at(options, image.gsd));
   for (size_t i = 0; i < roles->size(); ++i) {
     CellRole& role = (*roles)[i];
     if (crown[i]) role = role == CellRole::kBuilding ? CellRole::kCovered : CellRole::kCrown;

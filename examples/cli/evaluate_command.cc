@@ -5,8 +5,10 @@
 #include <gable/engine/evaluate/evaluation_report.h>
 #include <gable/engine/evaluate/triangles.h>
 #include <gable/engine/io/build_model.h>
+#include <gable/engine/io/footprint_file.h>
 #include <gable/engine/io/raster_file.h>
 #include <gable/grammar/plan_outline.h>
+#include <gable/grammar/polygon_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,26 +24,28 @@ namespace {
 
 struct EvaluateOptions {
   CommonOptions common;
-  std::string models, dsm, dtm, truth;
+  std::string models, dsm, dtm, truth, footprints;
   bool per_building = false;
 };
 
-/// The world rectangle around all buildings.
+/// The world rectangle around everything that is measured.
 struct Extent {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
+
+  void add(const PlanPolygon& polygon, const Eigen::Vector2d& origin = Eigen::Vector2d::Zero()) {
+    for (const Eigen::Vector2d& p : polygon.outer) {
+      low = low.cwiseMin(origin + p);
+      high = high.cwiseMax(origin + p);
+    }
+  }
 
   void add(const std::vector<Building>& buildings) {
     for (const Building& building : buildings) {
       const Eigen::Vector3d& origin = building.house ? building.house->origin : building.origin;
       const auto polygons = building.house ? plan_outline(*building.house)
                                            : std::vector<PlanPolygon>{building.outline};
-      for (const PlanPolygon& polygon : polygons) {
-        for (const Eigen::Vector2d& p : polygon.outer) {
-          low = low.cwiseMin(origin.head<2>() + p);
-          high = high.cwiseMax(origin.head<2>() + p);
-        }
-      }
+      for (const PlanPolygon& polygon : polygons) add(polygon, origin.head<2>());
     }
   }
 };
@@ -85,6 +89,11 @@ void run(const EvaluateOptions& options, const CommandContext& context) {
     truth = read_models(options.truth, dsm_file);
     extent.add(truth);
   }
+  FootprintFile footprints;
+  if (!options.footprints.empty()) {
+    footprints = read_footprints(options.footprints, dsm_file.crs(), dsm_file.grid());
+    for (const Footprint& footprint : footprints.footprints) extent.add(footprint.polygon);
+  }
   const HeightRaster dsm = read_window(dsm_file, extent, options.models);
   const HeightRaster dtm = dtm_file.read_onto(dsm.grid);
   EvaluationInput input;
@@ -92,6 +101,12 @@ void run(const EvaluateOptions& options, const CommandContext& context) {
   input.dsm = &dsm;
   input.dtm = &dtm;
   if (!options.truth.empty()) input.truth = &truth;
+  Raster<unsigned char> outlined(dsm.grid, 0);
+  for (const Footprint& footprint : footprints.footprints) {
+    for_cells_in_polygon(footprint.polygon, Eigen::Vector2d::Zero(), dsm.grid,
+                         [&](int row, int col) { outlined.at(row, col) = 1; });
+  }
+  if (!options.footprints.empty()) input.footprints = &outlined;
   for (const Building& building : buildings) {
     if (context.stop.stop_requested()) throw Error(ExitCode::kInterrupted, "interrupted");
     input.triangles.push_back(triangles_of(building));
@@ -111,6 +126,10 @@ void add_evaluate_command(CLI::App* app, const CommandContext& context) {
   command->add_option("--dsm", options->dsm, "Surface heights")->type_name("FILE")->required();
   command->add_option("--dtm", options->dtm, "Terrain heights")->type_name("FILE")->required();
   command->add_option("--truth", options->truth, "The true models")->type_name("FILE");
+  command
+      ->add_option("--footprints", options->footprints,
+                   "Known outlines: the error over their cells as well, misses counted")
+      ->type_name("FILE");
   command->add_flag("--per-building", options->per_building, "A line for every building as well");
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });

@@ -61,6 +61,21 @@ TEST(Evaluation, ThePerfectModelHasNoError) {
   EXPECT_EQ(result.summary->invented, 0);
 }
 
+TEST(Evaluation, WhatAModelMissesOfAFootprintCountsAsTerrain) {
+  Case c;
+  c.truth = {gabled("a", 10, 10)};
+  c.survey();
+  c.buildings = {gabled("a", 16, 10)};  // half of it beside the footprint
+  Raster<unsigned char> footprints(c.dsm.grid, 0);
+  for_covered_cells(*c.truth[0].house, c.dsm.grid,
+                    [&](int row, int col, double) { footprints.at(row, col) = 1; });
+  const Evaluation result = evaluate({&c.buildings, &c.dsm, &c.dtm, nullptr, {}, &footprints});
+  EXPECT_EQ(result.over_footprints->pixels(), 24u * 16);
+  EXPECT_NEAR(result.over_footprints->mad(), 0.5 * 4.5, 1e-5);
+  EXPECT_EQ(result.footprint_union->pixels(), 36u * 16);
+  EXPECT_NEAR(result.footprint_union->mad(), 2.0 / 3.0 * 4.5, 1e-5);
+}
+
 TEST(Evaluation, ALiftedModelIsOffByTheLift) {
   Case c;
   c.truth = c.buildings = {gabled("a", 10, 10)};
