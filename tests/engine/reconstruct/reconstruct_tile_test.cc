@@ -1,0 +1,93 @@
+#include <gable/engine/io/raster_writer.h>
+#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/grammar/synthesis/village.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/io/scratch.h"
+
+namespace gable {
+namespace {
+
+class ReconstructTile : public testing::Test {
+ protected:
+  ReconstructTile() {
+    VillageOptions options;
+    options.count = 6;
+    options.seed = 3;
+    village_ = synthesize_village(options);
+    const Crs crs = crs_from_text("EPSG:27700");
+    write_raster(folder_.path("dsm.tif"), village_.dsm, crs);
+    write_raster(folder_.path("dtm.tif"), village_.dtm, crs);
+    for (size_t i = 0; i < village_.footprints.size(); ++i) {
+      footprints_.push_back({std::to_string(i), village_.footprints[i]});
+    }
+  }
+
+  /// All buildings, sorted by id.
+  std::vector<Building> reconstruct(bool outlined, int window_cells) {
+    const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
+    TileOptions options;
+    options.window_cells = window_cells;
+    options.overlap = 40.0;
+    std::vector<Building> buildings;
+    TileCallbacks callbacks;
+    int windows = 0;
+    callbacks.begin_window = [&](int, int num_windows, size_t) { windows = num_windows; };
+    callbacks.deliver = [&](TileBuilding&& made) {
+      EXPECT_EQ(made.index, buildings.size());
+      buildings.push_back(std::move(made.building));
+    };
+    const TileSummary summary = reconstruct_tile(
+        {&dsm, &dtm, outlined ? &footprints_ : nullptr, nullptr}, options, {}, callbacks);
+    EXPECT_EQ(summary.num_buildings, buildings.size());
+    EXPECT_EQ(windows > 1, window_cells < 1000);
+    std::sort(buildings.begin(), buildings.end(),
+              [](const Building& a, const Building& b) { return a.id < b.id; });
+    return buildings;
+  }
+
+  /// The same buildings, whatever windows they were found in.
+  void expect_same_in_windows(bool outlined) {
+    const std::vector<Building> whole = reconstruct(outlined, 8192);
+    const std::vector<Building> parts = reconstruct(outlined, 100);
+    ASSERT_EQ(whole.size(), village_.houses.size());
+    ASSERT_EQ(parts.size(), whole.size());
+    for (size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_EQ(parts[i].id, whole[i].id);
+      ASSERT_EQ(parts[i].house.has_value(), whole[i].house.has_value());
+      EXPECT_NEAR(parts[i].quality.mad, whole[i].quality.mad, 1e-3) << whole[i].id;
+    }
+  }
+
+  const ScratchFolder folder_;
+  Village village_;
+  std::vector<Footprint> footprints_;
+};
+
+TEST_F(ReconstructTile, WindowsDoNotChangeWhatIsFound) { expect_same_in_windows(false); }
+
+TEST_F(ReconstructTile, WindowsDoNotChangeWhatIsMadeOfFootprints) { expect_same_in_windows(true); }
+
+TEST_F(ReconstructTile, AFootprintWithoutHeightsComesOutWithTheReason) {
+  const Eigen::Vector2d corner = village_.dsm.grid.north_west;
+  for (float& z : village_.dsm.values) {
+    if (&z < &village_.dsm.values[village_.dsm.grid.cols * 20]) z = NAN;  // the northern 10 m
+  }
+  write_raster(folder_.path("dsm.tif"), village_.dsm, crs_from_text("EPSG:27700"));
+  const Eigen::Vector2d a = corner + Eigen::Vector2d(20.0, -8.0);
+  footprints_ = {
+      {"bare",
+       {{a, a + Eigen::Vector2d(6, 0), a + Eigen::Vector2d(6, 6), a + Eigen::Vector2d(0, 6)}, {}}}};
+  const std::vector<Building> buildings = reconstruct(true, 8192);
+  ASSERT_EQ(buildings.size(), 1u);
+  EXPECT_EQ(buildings[0].status, BuildingStatus::kExtrusion);
+  EXPECT_NE(buildings[0].reason.find("0.0 square metres with heights"), std::string::npos);
+  EXPECT_GT(buildings[0].height, buildings[0].base);
+}
+
+}  // namespace
+}  // namespace gable
