@@ -12,6 +12,9 @@
 namespace gable {
 namespace {
 
+// Narrower parts of houses are rare, the rims of crowns are narrower, metres.
+constexpr double kLeastWidth = 2.0;
+
 std::vector<unsigned char> crowns_of(const HeightRaster& dsm, const HeightRaster& dtm,
                                      const VegetationOptions& options) {
   HeightImage image;
@@ -48,23 +51,26 @@ FoundHouse flood(const std::vector<unsigned char>& high, size_t seed, int label,
   return house;
 }
 
-/// Number of crown cells within `reach` cells of a piece.
-int crown_around(const Raster<int>& labels, const Raster<unsigned char>& crown, int label,
-                 const CellBox& box, int reach) {
+/// How much of a tree a piece looks like: the number of crown cells within `reach` cells of it, and
+/// of its own cells where it is narrower than `width` cells.
+int crown_and_rim(const Raster<int>& labels, const Raster<unsigned char>& crown, int label,
+                  const FoundHouse& house, int reach, int width) {
   const Grid& grid = labels.grid;
+  const CellBox& box = house.box;
   const int row0 = std::max(0, box.row0 - reach), row1 = std::min(grid.rows, box.row1 + reach);
   const int col0 = std::max(0, box.col0 - reach), col1 = std::min(grid.cols, box.col1 + reach);
-  cv::Mat piece(row1 - row0, col1 - col0, CV_8U);
+  cv::Mat piece(row1 - row0, col1 - col0, CV_8U), around, wide;
   for (int row = row0; row < row1; ++row) {
     for (int col = col0; col < col1; ++col) {
       piece.at<unsigned char>(row - row0, col - col0) = labels.at(row, col) == label;
     }
   }
-  cv::dilate(piece, piece, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
-  int count = 0;
+  cv::dilate(piece, around, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+  cv::morphologyEx(piece, wide, cv::MORPH_OPEN, cv::Mat::ones(width, width, CV_8U));
+  int count = house.num_cells - cv::countNonZero(wide);
   for (int row = row0; row < row1; ++row) {
     for (int col = col0; col < col1; ++col) {
-      count += piece.at<unsigned char>(row - row0, col - col0) && crown.at(row, col);
+      count += around.at<unsigned char>(row - row0, col - col0) && crown.at(row, col);
     }
   }
   return count;
@@ -134,14 +140,15 @@ FoundHouses find_houses(const HeightRaster& dsm, const HeightRaster& dtm,
 
   const double cell_area = grid.gsd * grid.gsd;
   const int reach = static_cast<int>(std::lround(options.crown_reach / grid.gsd));
+  const int width = std::max(2, static_cast<int>(std::lround(kLeastWidth / grid.gsd)));
   std::vector<size_t> cells;
   for (size_t seed = 0; seed < high.size(); ++seed) {
     if (!high[seed] || found.label.values[seed] != 0) continue;
     const int label = static_cast<int>(found.houses.size()) + 1;
     const FoundHouse house = flood(high, seed, label, &found.label, &cells);
     const bool small = house.num_cells * cell_area < options.least_area;
-    const bool crown =
-        !small && crown_around(found.label, found.crown, label, house.box, reach) > house.num_cells;
+    const bool crown = !small && crown_and_rim(found.label, found.crown, label, house, reach,
+                                               width) > house.num_cells;
     if (!small && !crown) {
       found.houses.push_back(house);
       continue;

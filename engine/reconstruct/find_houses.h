@@ -13,8 +13,8 @@ namespace gable {
 struct FindHousesOptions {
   double least_height = 2.0;  ///< of a house's cells over the terrain, metres, (0, 100]
   double least_area = 16.0;   ///< smaller ones are dropped, square metres, [0, 1e6]
-  /// Pieces with more crown around them, up to this distance, than cells of their own are parts of
-  /// trees, metres, [0, 10].
+  /// Pieces are parts of trees where the crowns around them, up to this distance, and their own
+  /// parts of under 2 m width are together more than all their cells, metres, [0, 10].
   double crown_reach = 1.5;
   VegetationOptions vegetation;
 };

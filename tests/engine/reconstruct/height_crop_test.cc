@@ -39,8 +39,9 @@ TEST(HeightCrop, OfAFoundHouseKeepsWhatIsMeasuredAndLeavesOutTheNeighbour) {
   EXPECT_EQ(image.inside[image.index(7, 7)], 1);
   EXPECT_EQ(image.weight[image.index(12, 12)], 0.0f);  // no height
   EXPECT_EQ(image.weight[image.index(7, 25)], 1.0f);   // terrain between the houses
-  EXPECT_EQ(image.weight[image.index(7, 26)], 0.0f);   // beside the neighbour
-  EXPECT_EQ(image.weight[image.index(7, 27)], 0.0f);   // the neighbour
+  EXPECT_EQ(image.weight[image.index(7, 26)], 0.05f);  // beside the neighbour
+  EXPECT_EQ(image.weight[image.index(7, 27)], 0.05f);  // the neighbour, set aside as terrain
+  EXPECT_EQ(image.height[image.index(7, 27)], 0.0f);
   EXPECT_EQ(image.inside[image.index(7, 27)], 0);
 }
 
