@@ -29,11 +29,12 @@ CompressedResiduals compress(const NormalEquations& normal) {
       out.residuals[i] = s[i] / root;
       explained += out.residuals[i] * out.residuals[i];
     }
-    // P as a permutation of R's columns: R P is upper * P.
-    out.jacobian.topRows(n) =
-        (out.jacobian.topRows(n) *
-         Eigen::MatrixXd(ldlt.transpositionsP() * Eigen::MatrixXd::Identity(n, n)))
-            .eval();
+    // R is upper * P: P's transpositions swap columns, the last one first.
+    const auto& transpositions = ldlt.transpositionsP().indices();
+    for (int k = n - 1; k >= 0; --k) {
+      const int other = static_cast<int>(transpositions[k]);
+      if (other != k) out.jacobian.col(k).swap(out.jacobian.col(other));
+    }
   }
   out.residuals[n] = std::sqrt(std::max(0.0, normal.squared_residuals - explained));
   return out;

@@ -311,8 +311,8 @@ void HouseHeightEvaluator::normal_equations(double const* const* parameters,
   for (int a = 0; a < num_blocks; ++a) {
     for (int b = 0; b < num_blocks; ++b) {
       if (!sums.used[static_cast<size_t>(a) * num_blocks + b]) continue;
-      const Eigen::MatrixXd product =
-          chains[a].matrix.transpose() * sums.pair(a, b) * chains[b].matrix;
+      const Eigen::MatrixXd product = chains[a].matrix.transpose().lazyProduct(
+          sums.pair(a, b).lazyProduct(chains[b].matrix).eval());
       for (size_t i = 0; i < chains[a].columns.size(); ++i) {
         for (size_t j = 0; j < chains[b].columns.size(); ++j) {
           const int row = chains[a].columns[i], col = chains[b].columns[j];
@@ -339,31 +339,49 @@ bool HouseHeightCost::Evaluate(double const* const* parameters, double* residual
   const int n = evaluator_.num_parameters();
   const auto& sizes = parameter_block_sizes();
   Eigen::Map<Eigen::VectorXd> out(residuals, n + 1);
+  out.setZero();
   bool same_point = last_parameters_.size() == n;
   for (size_t b = 0; b < sizes.size() && same_point; ++b) {
     same_point = std::equal(parameters[b], parameters[b] + sizes[b],
                             last_parameters_.data() + evaluator_.offsets()[b]);
   }
-  if (jacobians == nullptr && !same_point) {
-    out.setZero();
-    out[n] = std::sqrt(evaluator_.squared_residuals(parameters));
+  if (jacobians == nullptr) {
+    out[n] = std::sqrt(same_point ? last_.residuals.squaredNorm()
+                                  : evaluator_.squared_residuals(parameters));
     return true;
   }
-  if (!same_point) {
+  // Ceres asks for no Jacobian of constant blocks; what is compressed shrinks to the others.
+  std::vector<int> columns;
+  for (size_t b = 0; b < sizes.size(); ++b) {
+    for (int k = 0; k < sizes[b] && jacobians[b] != nullptr; ++k) {
+      columns.push_back(evaluator_.offsets()[b] + k);
+    }
+  }
+  if (!same_point || columns != last_columns_) {
     NormalEquations normal;
     evaluator_.normal_equations(parameters, &normal);
+    if (static_cast<int>(columns.size()) < n) {
+      normal.jtj = normal.jtj(columns, columns).eval();
+      normal.jtr = normal.jtr(columns).eval();
+    }
     last_ = compress(normal);
+    last_columns_ = columns;
     last_parameters_.resize(n);
     for (size_t b = 0; b < sizes.size(); ++b) {
       std::copy_n(parameters[b], sizes[b], last_parameters_.data() + evaluator_.offsets()[b]);
     }
   }
-  out = last_.residuals;
-  for (size_t b = 0; b < sizes.size() && jacobians != nullptr; ++b) {
+  const int m = static_cast<int>(columns.size());
+  out.head(m) = last_.residuals.head(m);
+  out[n] = last_.residuals[m];
+  int column = 0;
+  for (size_t b = 0; b < sizes.size(); ++b) {
     if (jacobians[b] == nullptr) continue;
-    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-        jacobians[b], n + 1, sizes[b]) =
-        last_.jacobian.middleCols(evaluator_.offsets()[b], sizes[b]);
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> jacobian(
+        jacobians[b], n + 1, sizes[b]);
+    jacobian.setZero();
+    jacobian.topRows(m) = last_.jacobian.topRows(m).middleCols(column, sizes[b]);
+    column += sizes[b];
   }
   return true;
 }

@@ -84,6 +84,7 @@ class HouseHeightCost : public ceres::CostFunction {
  private:
   HouseHeightEvaluator evaluator_;
   mutable Eigen::VectorXd last_parameters_;
+  mutable std::vector<int> last_columns_;
   mutable CompressedResiduals last_;
 };
 

@@ -15,12 +15,13 @@ namespace gable {
 namespace {
 
 // Beyond this many inside pixels the first stage looks at every second pixel of every second row.
-constexpr int kManyPixels = 1500;
+constexpr int kManyPixels = 400;
 
 // Noise that the wide stage's costs are priced with, metres.
 constexpr double kWideNoise = 0.2;
 
-// A rewrite this much dearer than what it came from is followed no further.
+// What is this much dearer than the best is not rewritten, and a rewrite this much dearer than what
+// it came from is followed no further.
 constexpr double kWorthRewriting = 30.0;
 
 // Residuals saturate at this many standard deviations: an outlier then costs as much as its
@@ -38,6 +39,9 @@ constexpr double kKnownOutlineScale = 0.3;
 // What a real roof deviates from its planes by, and hence how much a rule must explain to pay when
 // nothing saturates, metres.
 constexpr double kKnownOutlineNoise = 0.45;
+
+// Finalists this many times dearer than the best before details are given up.
+constexpr double kWorthFinishing = 1.15;
 
 // Finalists with all their rewrites.
 constexpr size_t kMostFinalists = 16;
@@ -170,6 +174,14 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   LeftoverOptions leftovers;
   leftovers.penalty = penalty;
   if (!options.outline_known) leftovers.penalty.loss_scale = kDetailScale;
+  // Details are dear to look for: only where they can still make a hypothesis the best.
+  double cheapest = std::numeric_limits<double>::infinity();
+  for (Candidate& c : finalists) {
+    c.cost = penalised_cost(image, c.house, penalty);
+    cheapest = std::min(cheapest, c.cost.total);
+  }
+  std::erase_if(finalists,
+                [&](const Candidate& c) { return c.cost.total > kWorthFinishing * cheapest; });
   for (Candidate& c : finalists) {
     if (simplify_roofs(image, penalty, &c.house) + add_leftovers(image, leftovers, &c.house) > 0) {
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
@@ -177,13 +189,19 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
     }
     finish(image, penalty, leftovers.penalty, &c);
   }
+  cheapest = std::numeric_limits<double>::infinity();
+  for (const Candidate& c : finalists) cheapest = std::min(cheapest, c.cost.total);
   // Each rewrite may be rewritten once more: a III to an L with a garage, say.
   for (size_t i = 0; i < finalists.size() && finalists.size() < kMostFinalists; ++i) {
+    if (finalists[i].cost.total > cheapest + kWorthRewriting) continue;
     for (House& other : rewrites(finalists[i].house, {})) {
       Candidate c{std::move(other), {}};
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
       finish(image, penalty, leftovers.penalty, &c);
-      if (c.cost.total < finalists[i].cost.total + kWorthRewriting) finalists.push_back(c);
+      if (c.cost.total < finalists[i].cost.total + kWorthRewriting) {
+        cheapest = std::min(cheapest, c.cost.total);
+        finalists.push_back(c);
+      }
     }
   }
   std::stable_sort(finalists.begin(), finalists.end(), cheaper);

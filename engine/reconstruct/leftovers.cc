@@ -101,9 +101,22 @@ double fit_one(const HeightImage& window, int rule, double price, const PenaltyO
   refinement.deviations = false;
   refine_house(window, refinement, house);
   const double scale = 1.0 / (penalty.noise * penalty.noise);
-  const double gain = penalised_cost(window, before, penalty).squared_residuals -
-                      penalised_cost(window, *house, penalty).squared_residuals;
+  const double gain =
+      squared_residuals(window, before, penalty) - squared_residuals(window, *house, penalty);
   return gain * scale - price * charged_parameters(*house->derivation()[rule]);
+}
+
+// What a rule that explains a region perfectly would save.
+double most_gain(const HeightImage& image, const HeightField& field, const Region& region,
+                 const PenaltyOptions& penalty) {
+  const RobustLoss loss(penalty.loss, penalty.loss_scale);
+  double sum = 0.0;
+  for (size_t i : region.pixels) {
+    const Eigen::Vector2d p =
+        image.center_of(static_cast<int>(i) / image.cols, static_cast<int>(i) % image.cols);
+    sum += loss.cost(field.at_local(p, 0.0, image.ground[i]) - image.height[i]);
+  }
+  return sum / (penalty.noise * penalty.noise);
 }
 
 struct Proposal {
@@ -292,6 +305,7 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
       ++added;
     }
   }
+  const double cheapest_on_roof = charged_parameters(make_rule(RuleKind::kChimney));
   regions = regions_of(on_roof, image);
   std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
     return a.pixels.size() > b.pixels.size();
@@ -299,6 +313,7 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
   for (const Region& region : regions) {
     const double area = static_cast<double>(region.pixels.size()) * pixel_area;
     if (region.pixels.size() < 2 || area > options.most_roof_area) continue;
+    if (most_gain(image, field, region, options.penalty) < cheapest_on_roof * price) continue;
     Proposal best;
     propose_on_roof(image, region, price, options, *house, &best);
     if (best.gain > 0.0) {

@@ -93,14 +93,19 @@ PenalisedCost derivation_cost(const HeightImage& image, const House& house) {
   return cost;
 }
 
-PenalisedCost penalised_cost(const HeightImage& image, const House& house,
-                             const PenaltyOptions& options) {
+double squared_residuals(const HeightImage& image, const House& house,
+                         const PenaltyOptions& options) {
   const HouseHeightEvaluator evaluator(
       house, &image, HeightCostOptions{options.support, options.loss, options.loss_scale, 1});
   std::vector<const double*> parameters;
   for (const Rule* rule : house.derivation()) parameters.push_back(rule->values.data());
+  return evaluator.squared_residuals(parameters.data());
+}
+
+PenalisedCost penalised_cost(const HeightImage& image, const House& house,
+                             const PenaltyOptions& options) {
   PenalisedCost cost = derivation_cost(image, house);
-  cost.squared_residuals = evaluator.squared_residuals(parameters.data());
+  cost.squared_residuals = squared_residuals(image, house, options);
   const double charge = kUnfitCharge * count_unfit_blocks(image, house, options.noise);
   cost.prior += charge;
   cost.total += charge + cost.squared_residuals / (options.noise * options.noise);

@@ -30,6 +30,10 @@ struct PenaltyOptions {
   double noise = 0.15;      ///< sigma, metres, > 0
 };
 
+/// S alone.
+double squared_residuals(const HeightImage& image, const House& house,
+                         const PenaltyOptions& options);
+
 PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options);
 
