@@ -23,8 +23,8 @@ struct LeftoverOptions {
 };
 
 /// Adds dormers, chimneys and garages to `house` where connected pixels stand above it: each region
-/// on the roof is fitted as a dormer and as a chimney, each region beside it as a garage (rectangle
-/// or L, flat), alone against its surroundings; a rule stays if it lowers the penalised cost.
+/// on the roof is fitted as a dormer and as a chimney, each region beside it as a garage (a flat
+/// rectangle), alone against its surroundings; a rule stays if it lowers the penalised cost.
 /// Returns the number of rules added. The house's other rules are not touched.
 int add_leftovers(const HeightImage& image, const LeftoverOptions& options, House* house);
 

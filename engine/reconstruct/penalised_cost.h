@@ -9,15 +9,17 @@ namespace gable {
 /// What hypotheses are compared by: a minimum description length. With S the sum of squared robust
 /// residuals over the N pixels that count, sigma the heights' noise, k the number of parameters:
 ///
-///   J = S / sigma^2 + k ln N
+///   J = S / sigma^2 + k ln N + charges
 ///
 /// i.e. twice the negative log-likelihood under the robust loss plus the Bayesian information
 /// criterion's price. Lower is better; a rule pays if it lowers J. The wings of an L or a U share
 /// their eaves: they count as one parameter, and differences are charged as those of a Gaussian.
+/// Low flat components, which are garages, and blocks that do not fit (`count_unfit_blocks`) are
+/// charged as well.
 struct PenalisedCost {
   double squared_residuals = 0.0;  ///< S, square metres
   int num_parameters = 0;          ///< k
-  double prior = 0.0;              ///< charge for eaves of an L or U that differ
+  double prior = 0.0;              ///< the charges
   int num_samples = 0;             ///< N
   double total = 0.0;              ///< J
 };
