@@ -11,7 +11,7 @@ namespace gable {
 struct BlockSearchOptions {
   double loss_scale = 0.3;   ///< soft L1 scale, metres, > 0
   int per_foundation = 2;    ///< hypotheses kept of each foundation type, [1, 10]
-  int max_rectangles = 300;  ///< rectangles that enter pairs and triples, [1, 1000]
+  int max_rectangles = 500;  ///< rectangles that enter pairs and triples, [1, 1000]
 };
 
 /// A house with first values, and how well its cells fit before any refinement.

@@ -41,7 +41,7 @@ constexpr double kKnownOutlineScale = 0.3;
 constexpr double kKnownOutlineNoise = 0.45;
 
 // Finalists this many times dearer than the best before details are given up.
-constexpr double kWorthFinishing = 1.08;
+constexpr double kWorthFinishing = 1.15;
 
 // Finalists with all their rewrites.
 constexpr size_t kMostFinalists = 16;

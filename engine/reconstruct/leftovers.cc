@@ -94,8 +94,8 @@ double mean_height(const HeightImage& image, const Region& region) {
 double fit_one(const HeightImage& window, int rule, double price, const PenaltyOptions& penalty,
                const House& before, double first_support, House* house) {
   RefinementOptions refinement;
-  refinement.stages = {{first_support, LossKind::kSoftL1, 0.3, 1, 8},
-                       {penalty.support, penalty.loss, penalty.loss_scale, 1, 6}};
+  refinement.stages = {{first_support, LossKind::kSoftL1, 0.3, 1, 12},
+                       {penalty.support, penalty.loss, penalty.loss_scale, 1, 8}};
   refinement.function_tolerance = 1e-4;
   refinement.only_rules = {rule};
   refinement.deviations = false;

@@ -7,7 +7,7 @@
 namespace gable {
 namespace {
 
-constexpr int kReweightings = 3;
+constexpr int kReweightings = 4;
 constexpr double kLeastRise = 0.25;
 
 // One candidate shape: 0 at the eaves, 1 at the ridge.
