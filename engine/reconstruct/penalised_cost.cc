@@ -57,7 +57,7 @@ int count_unfit_blocks(const HeightImage& image, const House& house, double nois
 }
 
 int charged_parameters(const Rule& rule) {
-  if (rule.kind == RuleKind::kDormer) return rule.size() - 2;
+  if (rule.kind == RuleKind::kDormer) return rule.size() - 1;
   if (rule.kind == RuleKind::kChimney) return rule.size() - 1;
   return rule.size();
 }

@@ -10,6 +10,9 @@ namespace {
 constexpr int kReweightings = 4;
 constexpr double kLeastRise = 0.25;
 
+// Mean robust cost of a cell that fits, square metres.
+constexpr double kNoiseCost = 0.02;
+
 // One candidate shape: 0 at the eaves, 1 at the ridge.
 double shape_at(double u, double v, double length, double width, double start_run, double end_run) {
   double t = std::min(v, width - v) / (0.5 * width);
@@ -47,6 +50,8 @@ RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis
   double best_penalised = 1e300;
   // shape 0: flat; 1: gable; 2, 3: one hip; 4: both.
   for (int shape = 0; shape < 5; ++shape) {
+    // A gable that leaves nothing but noise needs no hips.
+    if (shape > 1 && !best.flat && best.cost < kNoiseCost * n) break;
     const double start_run = shape == 2 || shape == 4 ? hip_run : 0.0;
     const double end_run = shape == 3 || shape == 4 ? hip_run : 0.0;
     k = 0;
