@@ -61,7 +61,7 @@ void keep_central_component(HeightImage* image) {
   for (size_t i = 0; i < image->size(); ++i) {
     if (image->inside[i] && label[i] != best) {
       image->inside[i] = 0;
-      image->weight[i] = 0.0f;
+      set_aside(i, image);
     }
   }
 }
@@ -96,10 +96,7 @@ int run(int per_type, uint64_t first_seed, bool verbose) {
       options.trees = i % 3;
       const Scene scene = make_scene(kTypes[t], options);
       HeightImage image = scene_image(scene);
-      const std::vector<unsigned char> crowns = find_vegetation(image, {});
-      for (size_t k = 0; k < image.size(); ++k) {
-        if (crowns[k]) image.inside[k] = 0, image.weight[k] = 0.0f;
-      }
+      leave_out_vegetation({}, &image);
       keep_central_component(&image);
       const auto start = std::chrono::steady_clock::now();
       const HouseChoice choice = choose_house(image, {});
