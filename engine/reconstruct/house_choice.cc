@@ -183,9 +183,9 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   std::erase_if(finalists,
                 [&](const Candidate& c) { return c.cost.total > kWorthFinishing * cheapest; });
   for (Candidate& c : finalists) {
-    if (simplify_roofs(image, penalty, &c.house) + add_leftovers(image, leftovers, &c.house) > 0) {
+    simplify_roofs(image, penalty, &c.house);
+    if (add_leftovers(image, leftovers, &c.house) > 0) {
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
-      add_leftovers(image, leftovers, &c.house);
     }
     finish(image, penalty, leftovers.penalty, &c);
   }
@@ -207,6 +207,13 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   std::stable_sort(finalists.begin(), finalists.end(), cheaper);
   choice.finalists = finalists;
   choice.best = finalists.front();
+  // What the first details hid.
+  Candidate more = choice.best;
+  if (add_leftovers(image, leftovers, &more.house) > 0) {
+    refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &more.house);
+    finish(image, penalty, leftovers.penalty, &more);
+    if (more.cost.total < choice.best.cost.total + kWorthRewriting) choice.best = more;
+  }
   simplify_roofs(image, penalty, &choice.best.house);
   const LossKind last_loss = options.outline_known ? LossKind::kSoftL1 : LossKind::kGemanMcClure;
   const double last_scale = options.outline_known ? kKnownOutlineScale : 0.5;
