@@ -44,7 +44,7 @@ PenalisedCost penalised_cost(const HeightImage& image, const House& house,
 int count_unfit_blocks(const HeightImage& image, const House& house, double noise);
 
 /// How many parameters of a rule are charged. Those that heights hardly change from what is common
-/// (a dormer's depth and rise, a chimney's side) carry no news and are free.
+/// (a dormer's rise, a chimney's side) carry no news and are free.
 int charged_parameters(const Rule& rule);
 
 /// The part of J that depends on the derivation alone: k ln N and the prior's charge.
