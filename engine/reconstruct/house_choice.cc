@@ -72,7 +72,7 @@ RefinementSummary refine(const HeightImage& image, std::vector<RefinementStage> 
                          bool deviations, House* house) {
   RefinementOptions options;
   options.stages = std::move(stages);
-  options.function_tolerance = 1e-4;
+  options.function_tolerance = deviations ? 1e-4 : 1e-3;
   options.deviations = deviations;
   return refine_house(image, options, house);
 }
