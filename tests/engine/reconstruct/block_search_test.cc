@@ -124,7 +124,7 @@ TEST(BlockSearchResult, HoldsAtMostSoManyOfEachTypeBestFirst) {
 }
 
 TEST(BlockSearchResult, GainIsWhatTheEnvelopeSavesAgainstTheGround) {
-  // Two flat blocks on cell boundaries leave nothing unexplained.
+  // Two flat blocks on cell boundaries leave nothing unexplained. Large overlaps are sampled: 2 %.
   House truth = make_house(Foundation::kII);
   truth.footprints = {rectangle_rule(-8.0, 2.0, -4.0, 4.0), rectangle_rule(2.0, 8.0, -4.0, 4.0)};
   truth.roofs = {flat_roof(6.0), flat_roof(4.0)};
@@ -136,9 +136,9 @@ TEST(BlockSearchResult, GainIsWhatTheEnvelopeSavesAgainstTheGround) {
   double best = 0.0;
   for (const Hypothesis& h : search_blocks(view, Eigen::Vector3d::Zero(), {})) {
     best = std::max(best, h.gain);
-    EXPECT_LE(h.gain, (1.0 + 1e-6) * ground);
+    EXPECT_LE(h.gain, 1.02 * ground);
   }
-  EXPECT_NEAR(best, ground, 1e-3 * ground);
+  EXPECT_NEAR(best, ground, 0.02 * ground);
 }
 
 TEST(BlockSearchResult, IsEmptyWithoutABuilding) {
