@@ -20,6 +20,7 @@ struct QuarterTurnSum {
   AzimuthCandidate candidate() const {
     double angle = std::arg(sum) / 4.0;
     if (angle < 0.0) angle += 0.5 * M_PI;
+    if (angle >= 0.5 * M_PI) angle = 0.0;  // a sum that rounding has brought to the full turn
     return {angle, weight > 0.0 ? std::abs(sum) / weight : 0.0};
   }
 };

@@ -174,11 +174,12 @@ RoofedRectangle outside_of(RoofedRectangle r, const RoofedRectangle& main) {
 }
 
 void add_garage(const House& house, const std::vector<RoofedRectangle>& blocks,
-                double garage_height, std::vector<House>* out) {
+                const RewriteOptions& options, std::vector<House>* out) {
   int low = -1;
   for (size_t i = 0; i < blocks.size(); ++i) {
     const Rule& roof = blocks[i].roof;
-    if (roof.kind != RuleKind::kRoofFlat || roof[param::roof::kEaves] > garage_height) continue;
+    if (roof.kind != RuleKind::kRoofFlat || roof[param::roof::kEaves] > options.garage_height)
+      continue;
     if (low < 0 || roof[0] < blocks[low].roof[0]) low = static_cast<int>(i);
   }
   if (low < 0 || blocks.size() < 2) return;
@@ -199,7 +200,7 @@ void add_garage(const House& house, const std::vector<RoofedRectangle>& blocks,
   with.garages.push_back(rule);
   out->push_back(with);
   // The rest of an L or U may be one polygon still.
-  if (rest.size() == 2) add_l(with, rest, 1.0, out);
+  if (rest.size() == 2) add_l(with, rest, options.alignment, out);
 }
 
 }  // namespace
@@ -209,7 +210,7 @@ std::vector<House> rewrites(const House& house, const RewriteOptions& options) {
   std::vector<House> out;
   if (house.foundation == Foundation::kII) add_l(house, blocks, options.alignment, &out);
   if (house.foundation == Foundation::kIII) add_u(house, blocks, options.alignment, &out);
-  add_garage(house, blocks, options.garage_height, &out);
+  add_garage(house, blocks, options, &out);
   return out;
 }
 
