@@ -3,6 +3,7 @@
 #include <gable/engine/error.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -11,13 +12,14 @@
 
 namespace gable {
 
-/// An empty folder for one test, removed afterwards.
+/// An empty folder for one test of one process, removed afterwards.
 class ScratchFolder {
  public:
   ScratchFolder() {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("gable-") + test->test_suite_name() + "-" + test->name());
+              (std::string("gable-") + test->test_suite_name() + "-" + test->name() + "-" +
+               std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

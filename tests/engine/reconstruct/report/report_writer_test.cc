@@ -2,6 +2,7 @@
 #include <gable/engine/reconstruct/report/report_writer.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -32,7 +33,8 @@ class ReportWriterTest : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    root_ = fs::path(::testing::TempDir()) / (std::string("gable_report_") + test->name());
+    root_ = fs::path(::testing::TempDir()) /
+            (std::string("gable_report_") + test->name() + std::to_string(getpid()));
     fs::remove_all(root_);
     fs::create_directories(root_);
   }
