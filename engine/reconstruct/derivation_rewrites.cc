@@ -79,7 +79,8 @@ void carry_details(const House& from, House* to) {
   for (const Rule& r : from.chimneys) to->chimneys.push_back(turned(r));
   for (Rule r : from.dormers) to->dormers.push_back(turned(r));
   for (Rule r : from.garages) {
-    if (r.kind != RuleKind::kGarageI) continue;  // an L garage's corner does not turn with it
+    // An L garage's corner does not turn with the frame.
+    if (r.kind != RuleKind::kGarageI && turns != 0) continue;
     r = turned(r);
     if (turns % 2 == 1) {
       std::swap(r[param::rectangle::kLength], r[param::rectangle::kWidth]);

@@ -162,7 +162,7 @@ TEST(FootprintFile, UnwritableFolder) {
 TEST(FootprintFile, EveryPolygonOfADutchTownIsRead) {
   const char* data = std::getenv("GABLE_DATA");
   const std::string path =
-      std::string(data ? data : "../shared/data") + "/delft-ahn3/footprints.gpkg";
+      std::string(data ? data : GABLE_SOURCE_DIR "/../shared/data") + "/delft-ahn3/footprints.gpkg";
   if (!std::filesystem::exists(path)) {
     GTEST_SKIP() << "no real data at " << path << "; set GABLE_DATA";
   }

@@ -139,7 +139,8 @@ TEST(Terrain, OptionsOutsideTheirBoundsAreNamed) {
 
 TEST(Terrain, AgreesWithTheSurveyedTerrainOfADutchTown) {
   const char* data = std::getenv("GABLE_DATA");
-  const std::string folder = std::string(data ? data : "../shared/data") + "/delft-ahn3/";
+  const std::string folder =
+      std::string(data ? data : GABLE_SOURCE_DIR "/../shared/data") + "/delft-ahn3/";
   if (!std::filesystem::exists(folder + "delft_ahn3_dsm.tif")) {
     GTEST_SKIP() << "no real data at " << folder << "; set GABLE_DATA";
   }
