@@ -38,7 +38,7 @@ constexpr double kKnownOutlineScale = 0.3;
 
 // What a real roof deviates from its planes by, and hence how much a rule must explain to pay when
 // nothing saturates, metres.
-constexpr double kKnownOutlineNoise = 0.45;
+constexpr double kKnownOutlineNoise = 0.42;
 
 // Finalists this many times dearer than the best before details are given up.
 constexpr double kWorthFinishing = 1.15;
