@@ -51,7 +51,7 @@ int count_unfit_blocks(const HeightImage& image, const House& house, double nois
   }
   int unfit = 0;
   for (size_t b = 0; b < seen.size(); ++b) {
-    unfit += !stands_on_roof(field.sources()[b].role) && near[b] < kFittingShare * seen[b];
+    unfit += !stands_on_roof(field.sources()[b].role) && near[b] <= kFittingShare * seen[b];
   }
   return unfit;
 }

@@ -39,7 +39,7 @@ double squared_residuals(const HeightImage& image, const House& house,
 PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options);
 
-/// How many components and garages do not fit what they show: fewer than 75 % of their pixels lie
+/// How many components and garages do not fit what they show: at most 75 % of their pixels lie
 /// within 2.5 standard deviations. Each is charged in J.
 int count_unfit_blocks(const HeightImage& image, const House& house, double noise);
 

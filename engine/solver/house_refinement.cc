@@ -11,9 +11,28 @@
 namespace gable {
 namespace {
 
-void set_bounds(const Rule& rule, double* block, ceres::Problem* problem) {
-  const auto specs = parameter_specs(rule.kind);
+// Highest measurement of an image, metres above its origin.
+double highest(const HeightImage& image) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < image.size(); ++i) {
+    if (is_evidence(image, i)) top = std::max(top, static_cast<double>(image.height[i]));
+  }
+  return top;
+}
+
+// Nothing stands far above the highest measurement; a block over pixels that a saturating loss has
+// given up would rise without end otherwise.
+constexpr double kHeadroom = 2.0;
+
+bool is_height(const ParameterSpec& spec) { return spec.name == "eaves" || spec.name == "height"; }
+
+void set_bounds(const Rule& rule, double top, double* block, ceres::Problem* problem) {
+  std::vector<ParameterSpec> specs(parameter_specs(rule.kind).begin(),
+                                   parameter_specs(rule.kind).end());
   for (size_t k = 0; k < specs.size(); ++k) {
+    if (is_height(specs[k])) {
+      specs[k].upper = std::clamp(top + kHeadroom, specs[k].lower + 1.0, specs[k].upper);
+    }
     // A start outside its bounds is projected: Ceres refuses infeasible starts.
     block[k] = std::clamp(block[k], specs[k].lower, specs[k].upper);
     if (std::isfinite(specs[k].lower)) {
@@ -94,6 +113,7 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
   std::vector<double*> blocks;
   for (Rule* rule : rules) blocks.push_back(rule->values.data());
 
+  const double top = highest(image);
   RefinementSummary summary;
   for (size_t s = 0; s < options.stages.size(); ++s) {
     const RefinementStage& stage = options.stages[s];
@@ -111,7 +131,7 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
       for (int rule : relation.rules) seen.push_back(blocks[rule]);
       problem.AddResidualBlock(relation.cost.release(), nullptr, seen);
     }
-    for (size_t b = 0; b < rules.size(); ++b) set_bounds(*rules[b], blocks[b], &problem);
+    for (size_t b = 0; b < rules.size(); ++b) set_bounds(*rules[b], top, blocks[b], &problem);
     if (!options.refine_azimuth) problem.SetParameterBlockConstant(blocks[0]);
     for (size_t b = 0; b < rules.size() && !options.only_rules.empty(); ++b) {
       const auto& only = options.only_rules;
