@@ -16,6 +16,14 @@
 
 namespace gable {
 
+namespace {
+
+// Mean |h - truth|, metres.
+struct TruthError {
+  double over_house = 0.0;  // over the pixels where the house or the truth stands
+  double over_crop = 0.0;   // over all pixels of the crop
+};
+
 TruthError truth_error(const Scene& scene, const House& house) {
   const HeightField field(house);
   const Grid& grid = scene.dsm.grid;
@@ -33,8 +41,6 @@ TruthError truth_error(const Scene& scene, const House& house) {
   }
   return {sum / std::max(n, 1), sum / static_cast<double>(grid.size())};
 }
-
-namespace {
 
 // Off by up to 1.5 m in place, 20 % in size, 1 m in height and 5 degrees.
 void disturb(Random* random, House* house) {

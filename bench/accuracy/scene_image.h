@@ -25,12 +25,4 @@ inline HeightImage scene_image(const Scene& scene) {
   return image;
 }
 
-/// Mean |h - truth| over the pixels where either the house or the truth stands above the terrain.
-struct TruthError {
-  double over_house = 0.0;  ///< metres
-  double over_crop = 0.0;   ///< metres, over all pixels of the crop
-};
-
-TruthError truth_error(const Scene& scene, const House& house);
-
 }  // namespace gable
