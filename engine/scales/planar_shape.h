@@ -25,11 +25,11 @@ struct PlanarShape {
 
 /// The planar shapes of a scan at one structural scale.
 struct ScaleShapes {
-  int configuration = 0;           ///< of the trajectory
-  std::vector<int> shape_of;       ///< per element of the scan: its shape, or -1
+  int configuration = 0;      ///< of the trajectory
+  std::vector<int> shape_of;  ///< per element of the scan: its shape, or -1
   std::vector<PlanarShape> shapes;
-  double coverage = 0.0;           ///< share of the elements (of a mesh: of its area) in shapes
-  double rms = 0.0;                ///< over all inliers, metres
+  double coverage = 0.0;  ///< share of the elements (of a mesh: of its area) in shapes
+  double rms = 0.0;       ///< over all inliers, metres
 };
 
 }  // namespace gable

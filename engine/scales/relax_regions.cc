@@ -1,0 +1,132 @@
+#include <gable/engine/parallel_ranges.h>
+#include <gable/engine/scales/relax_regions.h>
+#include <gable/engine/scales/shape_plane.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gable {
+namespace {
+
+struct RegionPlane {
+  Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
+  float offset = 0.0f;
+};
+
+std::vector<RegionPlane> planes_of(const std::vector<PointMoments>& moments) {
+  std::vector<RegionPlane> planes(moments.size());
+  for (size_t r = 0; r < moments.size(); ++r) {
+    if (moments[r].weight < 3.0) continue;
+    const ShapePlane plane = shape_plane(moments[r]);
+    planes[r] = {plane.normal.cast<float>(), static_cast<float>(plane.normal.dot(plane.centroid))};
+  }
+  return planes;
+}
+
+std::vector<PointMoments> moments_of_regions(const OrderedCloud& cloud,
+                                             const std::vector<int>& region_of, size_t count) {
+  std::vector<PointMoments> moments(count);
+  for (int p = 0; p < cloud.size(); ++p) {
+    if (region_of[p] >= 0) moments[region_of[p]].add(cloud.positions[p].cast<double>());
+  }
+  return moments;
+}
+
+// How many of a point's neighbours are in each of the regions around it: a short list.
+class RegionCounts {
+ public:
+  void count(std::span<const int> neighbours, const std::vector<int>& region_of) {
+    regions_.clear();
+    counts_.clear();
+    for (int q : neighbours) {
+      const int region = region_of[q];
+      size_t i = 0;
+      while (i < regions_.size() && regions_[i] != region) ++i;
+      if (i == regions_.size()) {
+        regions_.push_back(region);
+        counts_.push_back(0);
+      }
+      ++counts_[i];
+    }
+  }
+  size_t size() const { return regions_.size(); }
+  int region(size_t i) const { return regions_[i]; }
+  int of(size_t i) const { return counts_[i]; }
+
+ private:
+  std::vector<int> regions_, counts_;
+};
+
+}  // namespace
+
+void relax_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
+                   const RelaxOptions& options, std::vector<int>* region_of,
+                   std::vector<PointMoments>* moments) {
+  const float epsilon = static_cast<float>(options.epsilon);
+  const float precision = static_cast<float>(0.5 / (options.deviation * options.deviation));
+  const float price = static_cast<float>(options.smoothness / std::max(1, neighbours.k));
+  // Only points with several regions around them have a choice; a change may give it to others.
+  std::vector<int> active(region_of->size());
+  std::iota(active.begin(), active.end(), 0);
+  for (int sweep = 0; sweep < options.sweeps && !active.empty(); ++sweep) {
+    const std::vector<RegionPlane> planes = planes_of(*moments);
+    std::vector<int> choices(active.size());
+    std::vector<char> torn(active.size());
+    for_ranges(active.size(), options.threads, [&](size_t begin, size_t end) {
+      RegionCounts around;
+      for (size_t a = begin; a < end; ++a) {
+        const int p = active[a];
+        choices[a] = (*region_of)[p];
+        around.count(neighbours.of(p), *region_of);
+        torn[a] = around.size() > 1 || around.region(0) != choices[a];
+        if (!torn[a]) continue;
+        // No region at all is as good as one at a distance of epsilon.
+        float best = std::numeric_limits<float>::max();
+        choices[a] = -1;
+        for (size_t i = 0; i < around.size(); ++i) {
+          const int region = around.region(i);
+          float distance = epsilon;
+          if (region >= 0) {
+            const RegionPlane& plane = planes[region];
+            distance = std::abs(plane.normal.dot(cloud.positions[p]) - plane.offset);
+            if (distance > epsilon) continue;
+          }
+          const float cost = precision * distance * distance +
+                             price * static_cast<float>(neighbours.k - around.of(i));
+          if (cost < best || (cost == best && region < choices[a])) {
+            best = cost;
+            choices[a] = region;
+          }
+        }
+      }
+    });
+    std::vector<char> next(region_of->size(), 0);
+    for (size_t a = 0; a < active.size(); ++a) {
+      const int p = active[a];
+      if (torn[a]) next[p] = 1;
+      if (choices[a] == (*region_of)[p]) continue;
+      (*region_of)[p] = choices[a];
+      for (int q : neighbours.of(p)) next[q] = 1;
+    }
+    active.clear();
+    for (size_t p = 0; p < next.size(); ++p) {
+      if (next[p]) active.push_back(static_cast<int>(p));
+    }
+    *moments = moments_of_regions(cloud, *region_of, moments->size());
+  }
+
+  std::vector<int> renumbered(moments->size(), -1);
+  std::vector<PointMoments> kept;
+  for (size_t r = 0; r < moments->size(); ++r) {
+    if ((*moments)[r].weight < options.min_inliers) continue;
+    renumbered[r] = static_cast<int>(kept.size());
+    kept.push_back((*moments)[r]);
+  }
+  for (int& region : *region_of) {
+    if (region >= 0) region = renumbered[region];
+  }
+  *moments = std::move(kept);
+}
+
+}  // namespace gable
