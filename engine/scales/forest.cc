@@ -10,26 +10,32 @@ std::string check(const Forest& forest) {
   if (forest.num_labels < 1 || forest.num_labels > 64) return "num_labels must lie in [1, 64]";
   if (forest.roots.empty()) return "there is no tree";
   const int num_nodes = static_cast<int>(forest.nodes.size());
-  const int num_leaves = static_cast<int>(forest.leaf_costs.size()) / forest.num_labels;
+  int num_leaves = 0;
+  int end = 0;  // of the trees so far
+  for (const int root : forest.roots) {
+    if (root != end) return "a tree must begin where the one before it ends";
+    std::vector<int> right;  // children whose left siblings' trees are not over yet
+    int i = root;
+    for (bool whole = false; !whole; ++i) {
+      if (i >= num_nodes) return "the last tree is not whole";
+      const ForestNode& node = forest.nodes[i];
+      if (node.feature >= kNumFeatures) return "a test looks at a feature that does not exist";
+      if (node.feature >= 0) {
+        if (!std::isfinite(node.threshold)) return "a threshold is not finite";
+        right.push_back(node.next);
+        continue;
+      }
+      if (node.next != num_leaves++) return "leaves must be numbered in the order of their nodes";
+      whole = right.empty();
+      if (whole) continue;
+      if (right.back() != i + 1) return "a right child must follow what lies below the left one";
+      right.pop_back();
+    }
+    end = i;
+  }
+  if (end != num_nodes) return "there are nodes behind the last tree";
   if (forest.leaf_costs.size() != static_cast<size_t>(num_leaves) * forest.num_labels) {
     return "leaf_costs must hold num_labels bytes a leaf";
-  }
-  for (size_t tree = 0; tree < forest.roots.size(); ++tree) {
-    const int begin = forest.roots[tree];
-    const int end = tree + 1 < forest.roots.size() ? forest.roots[tree + 1] : num_nodes;
-    if (begin < 0 || begin >= end || end > num_nodes) return "roots must rise within the nodes";
-    for (int i = begin; i < end; ++i) {
-      const ForestNode& node = forest.nodes[i];
-      if (node.feature < 0) {
-        if (node.next < 0 || node.next >= num_leaves) return "a leaf is not among the leaves";
-      } else if (node.feature >= kNumFeatures) {
-        return "a test looks at a feature that does not exist";
-      } else if (!std::isfinite(node.threshold)) {
-        return "a threshold is not finite";
-      } else if (node.next <= i + 1 || node.next >= end) {
-        return "a right child must lie behind the left one, in the same tree";
-      }
-    }
   }
   return "";
 }

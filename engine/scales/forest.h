@@ -14,7 +14,7 @@ struct ForestNode {
   float threshold = 0.0f;  ///< of a test: features up to it go left
   int16_t feature = -1;    ///< that is tested; -1: a leaf
   /// Of a test: its right child, a number of a node (the left child is the next node). Of a leaf:
-  /// its number among the leaves.
+  /// its number among the leaves, which rises from node to node.
   int32_t next = 0;
   bool operator==(const ForestNode&) const = default;
 };
@@ -27,7 +27,7 @@ inline constexpr double kLeafCostStep = 1.0 / 32.0;
 /// apart. Plain data: equal forests give equal bytes and equal answers.
 struct Forest {
   int num_labels = 0;             ///< [1, 64]
-  std::vector<int> roots;         ///< one per tree, rising: a tree is what lies before the next
+  std::vector<int> roots;         ///< one per tree: its first node
   std::vector<ForestNode> nodes;  ///< tree by tree, each in preorder
   /// -log P_t(label | leaf) in steps of kLeafCostStep, num_labels bytes a leaf.
   std::vector<uint8_t> leaf_costs;
@@ -36,8 +36,8 @@ struct Forest {
   bool operator==(const Forest&) const = default;
 };
 
-/// Empty if the forest is sound (every walk ends in a leaf that exists); otherwise says what is
-/// not.
+/// Empty if the forest is sound (whole trees in preorder, so every walk ends in a leaf); otherwise
+/// says what is not.
 std::string check(const Forest& forest);
 
 /// The byte for a probability in (0, 1]. Probabilities below 3.5e-4 count as that.

@@ -51,17 +51,19 @@ TEST(Forest, SaysWhatIsUnsound) {
   EXPECT_EQ(broken([](Forest* f) { f->roots.clear(); }), "there is no tree");
   EXPECT_EQ(broken([](Forest* f) { f->leaf_costs.pop_back(); }),
             "leaf_costs must hold num_labels bytes a leaf");
-  EXPECT_EQ(broken([](Forest* f) { f->roots[1] = 8; }), "roots must rise within the nodes");
-  EXPECT_EQ(broken([](Forest* f) { f->nodes[1].next = 5; }), "a leaf is not among the leaves");
+  EXPECT_EQ(broken([](Forest* f) { f->roots[1] = 4; }),
+            "a tree must begin where the one before it ends");
+  EXPECT_EQ(broken([](Forest* f) { f->roots.pop_back(); }), "there are nodes behind the last tree");
+  EXPECT_EQ(broken([](Forest* f) { f->nodes.pop_back(); }), "the last tree is not whole");
+  EXPECT_EQ(broken([](Forest* f) { f->nodes[1].next = 5; }),
+            "leaves must be numbered in the order of their nodes");
   EXPECT_EQ(broken([](Forest* f) { f->nodes[0].feature = 18; }),
             "a test looks at a feature that does not exist");
   EXPECT_EQ(broken([](Forest* f) { f->nodes[0].threshold = NAN; }), "a threshold is not finite");
   for (const int next : {-1, 0, 1, 3, 100}) {  // a loop, no left child, another tree, nowhere
     EXPECT_EQ(broken([&](Forest* f) { f->nodes[0].next = next; }),
-              "a right child must lie behind the left one, in the same tree");
+              "a right child must follow what lies below the left one");
   }
-  // A left child that would be the next tree's root.
-  EXPECT_NE(broken([](Forest* f) { f->nodes[2] = {0.5f, 0, 3}; }), "");
 }
 
 }  // namespace
