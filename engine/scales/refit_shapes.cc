@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace gable {
 namespace {
@@ -68,6 +70,26 @@ PointMoments trimmed_moments(const std::vector<Eigen::Vector3d>& points,
     if (!support.weights.empty()) inliers.weights.push_back(support.weights[k]);
   }
   return moments_of(points, inliers);
+}
+
+// The pairs to look for regularities in: all, or beyond kMostPlanes each plane with the best
+// supported ones, so that the number stays linear in the planes.
+std::vector<std::pair<int, int>> pairs_to_look_at(const std::vector<PointMoments>& moments) {
+  constexpr int kMostPlanes = 1000, kLargest = 500;
+  const int n = static_cast<int>(moments.size());
+  std::vector<std::pair<int, int>> pairs;
+  if (n <= kMostPlanes) return pairs;
+  std::vector<int> order(n), place(n);
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return moments[a].weight > moments[b].weight; });
+  for (int i = 0; i < n; ++i) place[order[i]] = i;
+  for (int a = 0; a < n; ++a) {
+    for (int b = a + 1; b < n; ++b) {
+      if (std::min(place[a], place[b]) < kLargest) pairs.emplace_back(a, b);
+    }
+  }
+  return pairs;
 }
 
 double rms(const std::vector<PointMoments>& moments, const std::vector<OrientedPlane>& planes) {
@@ -148,7 +170,7 @@ PlaneRefit refit_shapes(const Scan& scan, const std::vector<int>& shape_of,
     regularity.deviations = options.deviations;
     regularity.distance_tolerance =
         std::clamp(0.01 * options.distance_tolerance_percent * size, 1e-9, 10.0);
-    out.regularities = detect_regularities(alone, moments, {}, regularity);
+    out.regularities = detect_regularities(alone, moments, pairs_to_look_at(moments), regularity);
   }
   if (!planes.empty()) {
     const PlaneRefinementSummary summary =

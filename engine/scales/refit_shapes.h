@@ -12,13 +12,13 @@ namespace gable {
 /// length is measured in the shapes' own noise or in the scan's diagonal.
 struct RefitOptions {
   LossKind loss = LossKind::kGemanMcClure;
-  double loss_scale = 3.0;          ///< of a distance in units of its shape's noise, (0, 100]
+  double loss_scale = 4.0;          ///< of a distance in units of its shape's noise, (0, 100]
   double angle_tolerance = 0.0175;  ///< see RegularityOptions, radians (1 degree), (0, 0.5]
   /// See RegularityOptions, per cent of the diagonal, (0, 10].
   double distance_tolerance_percent = 0.1;
-  double deviations = 3.0;             ///< see RegularityOptions, [0, 10]
+  double deviations = 3.0;             ///< see RegularityOptions, [1, 10]
   double regularity_strength = 100.0;  ///< see PlaneRefinementOptions, [0, 1e4]
-  bool regularities = true;
+  bool regularities = true;            ///< false: each plane alone
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.

@@ -47,8 +47,9 @@ ShapeSamples sample_shapes(const Scan& scan, const std::vector<int>& shape_of) {
     add_facet(scan, scan.facets[i], &samples, &samples.supports[shape_of[i]], &total_area);
     ++facets;
   }
+  if (total_area > 0.0) samples.weight_unit = total_area / facets;
   for (PlaneSupport& support : samples.supports) {
-    for (double& weight : support.weights) weight *= facets / total_area;
+    for (double& weight : support.weights) weight /= samples.weight_unit;
   }
   return samples;
 }

@@ -12,6 +12,7 @@ struct ShapeSamples {
   std::vector<Eigen::Vector3d> points;  ///< metres, in the frame of the scan
   /// Per shape its points and their weights; noise is not filled. The mean weight of a facet is 1.
   std::vector<PlaneSupport> supports;
+  double weight_unit = 1.0;  ///< what a weight of 1 is: a point, or square metres of a mesh
 };
 
 /// Of a cloud the points themselves. Of a mesh the mid-points of the edges of each facet's

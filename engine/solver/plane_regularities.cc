@@ -13,6 +13,15 @@
 namespace gable {
 namespace {
 
+// Of planes that have nothing to do with each other: what normals (of either sign), cosines of
+// angles and differences of slopes are spread over.
+constexpr double kHalfSphere = 2.0 * M_PI;
+constexpr double kCosines = 2.0;
+constexpr double kSlopes = M_PI / 2.0;
+// An angle between inclined planes or a slope in common is chance more often than not: there are
+// many pairs, and houses are built to be upright before all else.
+constexpr double kOddsOfPairs = 0.3;
+
 // Disjoint sets of planes, each led by its most certain one.
 class Groups {
  public:
@@ -57,6 +66,9 @@ class Misses {
       : planes_(planes), options_(options) {
     for (size_t i = 0; i < planes.size(); ++i) {
       uncertainties_.push_back(plane_uncertainty(planes[i], moments[i]));
+      const Eigen::Vector3d u = planes[i].normal().unitOrthogonal();
+      along_.emplace_back();
+      along_.back() << u.transpose(), planes[i].normal().cross(u).transpose();
       slopes_.push_back(
           std::atan2(planes[i].normal().head<2>().norm(), std::abs(planes[i].normal().z())));
     }
@@ -69,27 +81,30 @@ class Misses {
   }
 
   std::optional<double> horizontal(int i) const {
-    return within<2>(planes_[i].normal().head<2>(), uncertainties_[i].normal.topLeftCorner<2, 2>());
+    return within<2>(planes_[i].normal().head<2>(), uncertainties_[i].normal.topLeftCorner<2, 2>(),
+                     kHalfSphere);
   }
   std::optional<double> vertical(int i) const {
     return within<1>(planes_[i].normal().segment<1>(2),
-                     uncertainties_[i].normal.bottomRightCorner<1, 1>());
+                     uncertainties_[i].normal.bottomRightCorner<1, 1>(), kCosines);
   }
   std::optional<double> parallel(int a, int b) const {
-    const double sign = planes_[a].normal().dot(planes_[b].normal()) < 0.0 ? -1.0 : 1.0;
-    return within<3>(planes_[a].normal() - sign * planes_[b].normal(),
-                     uncertainties_[a].normal + uncertainties_[b].normal);
+    const auto& along = along_[a];
+    return within<2>(
+        along * planes_[b].normal(),
+        along * (uncertainties_[a].normal + uncertainties_[b].normal) * along.transpose(),
+        kHalfSphere);
   }
   std::optional<double> orthogonal(int a, int b) const {
     const Eigen::Vector3d na = planes_[a].normal(), nb = planes_[b].normal();
     const double variance =
         nb.dot(uncertainties_[a].normal * nb) + na.dot(uncertainties_[b].normal * na);
-    return within<1>(Vector<1>(na.dot(nb)), Matrix<1>(variance));
+    return within<1>(Vector<1>(na.dot(nb)), Matrix<1>(variance), kOddsOfPairs * kCosines);
   }
   /// Of planes that are neither horizontal nor vertical.
   std::optional<double> equal_slope(int a, int b) const {
     return within<1>(Vector<1>(slopes_[a] - slopes_[b]),
-                     Matrix<1>(slope_variance(a) + slope_variance(b)));
+                     Matrix<1>(slope_variance(a) + slope_variance(b)), kOddsOfPairs * kSlopes);
   }
   /// Of planes that are parallel.
   bool coplanar(int a, int b) const { return reaches(a, b) && reaches(b, a); }
@@ -100,15 +115,21 @@ class Misses {
   template <int N>
   using Matrix = Eigen::Matrix<double, N, N>;
 
+  // Whether a miss lies within the tolerance, and is likelier where the regularity holds (normally
+  // distributed) than where it does not (evenly spread over `range`, radians or steradians): the
+  // less certain planes are, the closer they have to be, and planes that could be turned anywhere
+  // are nothing in particular.
   template <int N>
-  std::optional<double> within(const Vector<N>& miss, const Matrix<N>& covariance) const {
-    const double size = miss.norm();
-    if (size > std::max(options_.max_angle, options_.angle_tolerance)) return std::nullopt;
-    const double squares = options_.angle_tolerance * options_.angle_tolerance;
-    const double grown = options_.deviations * options_.deviations;
-    const Matrix<N> tolerance = grown * covariance + squares * Matrix<N>::Identity();
-    if (miss.dot(tolerance.inverse() * miss) > 1.0) return std::nullopt;
-    return size + options_.deviations * std::sqrt(covariance.trace());
+  std::optional<double> within(const Vector<N>& miss, const Matrix<N>& covariance,
+                               double range) const {
+    const double own = options_.angle_tolerance / options_.deviations;  // spread of exact planes
+    const Matrix<N> spread = covariance + own * own * Matrix<N>::Identity();
+    const double squares = miss.dot(spread.inverse() * miss);
+    if (squares > options_.deviations * options_.deviations) return std::nullopt;
+    const double density =
+        std::exp(-0.5 * squares) / std::sqrt(std::pow(2.0 * M_PI, N) * spread.determinant());
+    if (density * range < 1.0) return std::nullopt;
+    return miss.norm() + options_.deviations * std::sqrt(covariance.trace());
   }
 
   double slope_variance(int i) const {
@@ -130,7 +151,8 @@ class Misses {
   const std::vector<OrientedPlane>& planes_;
   const RegularityOptions& options_;
   std::vector<PlaneUncertainty> uncertainties_;
-  std::vector<double> slopes_;  ///< from horizontal, radians
+  std::vector<Eigen::Matrix<double, 2, 3>> along_;  ///< per plane two directions along it
+  std::vector<double> slopes_;                      ///< from horizontal, radians
 };
 
 }  // namespace
@@ -142,11 +164,8 @@ std::string check(const RegularityOptions& options) {
   if (!(options.distance_tolerance > 0.0 && options.distance_tolerance <= 10.0)) {
     return "distance_tolerance must lie in (0, 10]";
   }
-  if (!(options.deviations >= 0.0 && options.deviations <= 10.0)) {
-    return "deviations must lie in [0, 10]";
-  }
-  if (!(options.max_angle > 0.0 && options.max_angle <= 0.5)) {
-    return "max_angle must lie in (0, 0.5]";
+  if (!(options.deviations >= 1.0 && options.deviations <= 10.0)) {
+    return "deviations must lie in [1, 10]";
   }
   return "";
 }

@@ -30,15 +30,16 @@ struct PlaneRegularity {
 
 /// How close planes must be to a regularity to be taken for it: within a tolerance that even
 /// planes known exactly are granted, widened by what their points leave open (PlaneUncertainty), so
-/// that small noisy planes snap and precise ones that truly differ do not.
+/// that small noisy planes snap and precise ones that truly differ do not. And the miss must be
+/// likelier than among planes that have nothing to do with each other, so that planes that could be
+/// turned anywhere are taken for nothing.
 struct RegularityOptions {
   double angle_tolerance = 0.0524;  ///< of exact planes, radians (3 degrees), (0, 0.5]
   double distance_tolerance = 0.1;  ///< between exact coplanar planes, metres, (0, 10]
-  /// Standard deviations of the planes by which the tolerances grow, in squares, [0, 10].
+  /// The size of a miss in standard deviations that is tolerated, with the tolerances above as as
+  /// many deviations of their own, [1, 10]. Distances are taken up to the noise of the planes'
+  /// points.
   double deviations = 3.0;
-  /// No angle above it is taken for a regularity, however uncertain, radians, (0, 0.5]. Distances
-  /// are taken up to the noise of the two planes' points.
-  double max_angle = 0.2618;
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.

@@ -23,10 +23,10 @@ struct PlaneUncertainty {
 /// From the moments of the plane's points, in its frame; a weight of 1 is one independent
 /// measurement. The noise is that of the points about the plane, W - 3 degrees of freedom left.
 ///
-/// With the scatter's eigenvalues l0 <= l1 <= l2 and the noise's variance s^2, the normal turns
-/// towards eigenvector i with a variance of s^2 l_i / (l_i - l0)^2 (the perturbation of an
-/// eigenvector; s^2 / l_i where the plane is thin), at most 1: a direction that the points leave
-/// open. Both directions are uncorrelated.
+/// With the scatter l0 across the plane, l1 and l2 along its principal directions, and the noise's
+/// variance s^2, the normal turns towards direction i with a variance of s^2 l_i / (l_i - l0)^2
+/// (the perturbation of an eigenvector; s^2 / l_i where the plane is thin), at most 1: a direction
+/// that the points leave open. Both directions are uncorrelated.
 PlaneUncertainty plane_uncertainty(const OrientedPlane& plane, const PointMoments& moments);
 
 }  // namespace gable

@@ -11,7 +11,7 @@
 
 namespace gable {
 
-enum class HouseKind { kBox, kGable, kHip };
+enum class HouseKind { kBox, kGable, kHip, kEvenHip };
 
 /// A house as flat facets, in national coordinates, and points on it.
 struct SyntheticHouse {
@@ -26,12 +26,15 @@ struct SyntheticHouse {
 };
 
 /// A house of random size, turned by a random azimuth: a box with a flat roof, or walls under a
-/// gabled or hipped roof (whose ends may be of another slope than its sides). No floor.
+/// gabled roof, a hipped roof whose ends are of another slope than its sides, or one of a single
+/// slope all around. No floor.
 inline SyntheticHouse random_house(HouseKind kind, Random* random) {
   const double length = random->uniform(8.0, 16.0), width = random->uniform(5.0, 9.0);
   const double eaves = random->uniform(2.5, 7.0);
   const double rise = 0.5 * width * std::tan(random->uniform(0.35, 1.0));
-  const double hip = kind == HouseKind::kHip ? random->uniform(0.15, 0.45) * length : 0.0;
+  const bool hipped = kind == HouseKind::kHip || kind == HouseKind::kEvenHip;
+  const double own_hip = random->uniform(0.15, 0.45) * length;
+  const double hip = !hipped ? 0.0 : kind == HouseKind::kHip ? own_hip : width / 2;
   const double azimuth = random->uniform(0.0, 3.14);
   const auto at = [&](double x, double y, double z) {
     return Eigen::Vector3d(Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitZ()) *
@@ -50,7 +53,7 @@ inline SyntheticHouse random_house(HouseKind kind, Random* random) {
     const Eigen::Vector3d ridge[] = {at(hip, w / 2, top), at(l - hip, w / 2, top)};
     house.facets.push_back({at(0, 0, eaves), at(l, 0, eaves), ridge[1], ridge[0]});
     house.facets.push_back({at(l, w, eaves), at(0, w, eaves), ridge[0], ridge[1]});
-    if (kind == HouseKind::kHip) {
+    if (hipped) {
       house.facets.push_back({at(0, w, eaves), at(0, 0, eaves), ridge[0]});
       house.facets.push_back({at(l, 0, eaves), at(l, w, eaves), ridge[1]});
     } else {
