@@ -1,12 +1,13 @@
 #include <gable/engine/scales/refit_shapes.h>
 #include <gable/engine/scales/shape_samples.h>
+#include <gable/engine/solver/unstrained_refinement.h>
 #include <glog/logging.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
+#include <set>
 #include <utility>
 
 namespace gable {
@@ -72,24 +73,30 @@ PointMoments trimmed_moments(const std::vector<Eigen::Vector3d>& points,
   return moments_of(points, inliers);
 }
 
-// The pairs to look for regularities in: all, or beyond kMostPlanes each plane with the best
-// supported ones, so that the number stays linear in the planes.
-std::vector<std::pair<int, int>> pairs_to_look_at(const std::vector<PointMoments>& moments) {
-  constexpr int kMostPlanes = 1000, kLargest = 500;
+// The pairs to look for regularities in: each plane with its nearest ones, by the gap between the
+// spheres around their points. What is built together is regular; among many planes far apart some
+// always agree by chance.
+std::vector<std::pair<int, int>> near_pairs(const std::vector<PointMoments>& moments) {
+  constexpr int kNearest = 20;
   const int n = static_cast<int>(moments.size());
-  std::vector<std::pair<int, int>> pairs;
-  if (n <= kMostPlanes) return pairs;
-  std::vector<int> order(n), place(n);
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return moments[a].weight > moments[b].weight; });
-  for (int i = 0; i < n; ++i) place[order[i]] = i;
-  for (int a = 0; a < n; ++a) {
-    for (int b = a + 1; b < n; ++b) {
-      if (std::min(place[a], place[b]) < kLargest) pairs.emplace_back(a, b);
-    }
+  std::vector<Eigen::Vector3d> centers;
+  std::vector<double> radii;
+  for (const PointMoments& m : moments) {
+    centers.push_back(m.centroid());
+    radii.push_back(std::sqrt(3.0 * m.scatter().trace() / std::max(1e-300, m.weight)));
   }
-  return pairs;
+  std::set<std::pair<int, int>> pairs;
+  std::vector<std::pair<double, int>> gaps;
+  for (int a = 0; a < n; ++a) {
+    gaps.clear();
+    for (int b = 0; b < n; ++b) {
+      if (b != a) gaps.emplace_back((centers[a] - centers[b]).norm() - radii[a] - radii[b], b);
+    }
+    const auto end = gaps.begin() + std::min<size_t>(gaps.size(), kNearest);
+    std::partial_sort(gaps.begin(), end, gaps.end());
+    for (auto gap = gaps.begin(); gap != end; ++gap) pairs.insert(std::minmax(a, gap->second));
+  }
+  return {pairs.begin(), pairs.end()};
 }
 
 double rms(const std::vector<PointMoments>& moments, const std::vector<OrientedPlane>& planes) {
@@ -120,9 +127,6 @@ std::string check(const RefitOptions& options) {
   regularity.angle_tolerance = options.angle_tolerance;
   regularity.deviations = options.deviations;
   if (const std::string wrong = check(regularity); !wrong.empty()) return wrong;
-  if (!(options.distance_tolerance_percent > 0.0 && options.distance_tolerance_percent <= 10.0)) {
-    return "distance_tolerance_percent must lie in (0, 10]";
-  }
   return "";
 }
 
@@ -160,21 +164,23 @@ PlaneRefit refit_shapes(const Scan& scan, const std::vector<int>& shape_of,
   if (!planes.empty()) refine_planes(samples.points, supports, {}, refinement, &alone);
   measure_noise(samples.points, alone, least_noise, &supports);
 
-  if (options.regularities && !planes.empty()) {
+  if (!planes.empty()) {
     std::vector<PointMoments> moments;
     for (size_t i = 0; i < planes.size(); ++i) {
       moments.push_back(trimmed_moments(samples.points, supports[i], alone[i]));
     }
-    RegularityOptions regularity;
-    regularity.angle_tolerance = options.angle_tolerance;
-    regularity.deviations = options.deviations;
-    regularity.distance_tolerance =
-        std::clamp(0.01 * options.distance_tolerance_percent * size, 1e-9, 10.0);
-    out.regularities = detect_regularities(alone, moments, pairs_to_look_at(moments), regularity);
-  }
-  if (!planes.empty()) {
+    RegularityOptions tolerances;
+    tolerances.angle_tolerance = options.angle_tolerance;
+    tolerances.deviations = options.deviations;
+    std::vector<double> noises;
+    for (const PlaneSupport& support : supports) noises.push_back(support.noise);
+    tolerances.distance_tolerance = std::clamp(median(std::move(noises)), 1e-9, 10.0);
+    if (options.regularities) {
+      out.regularities = detect_regularities(alone, moments, near_pairs(moments), tolerances);
+    }
     const PlaneRefinementSummary summary =
-        refine_planes(samples.points, supports, out.regularities, refinement, &planes);
+        refine_unstrained(samples.points, supports, alone, moments, tolerances, refinement,
+                          &out.regularities, &planes);
     out.cost_before = summary.initial_cost;
     out.cost_after = summary.final_cost;
     out.reweightings = summary.reweightings;

@@ -9,13 +9,11 @@
 namespace gable {
 
 /// How the planes of a configuration are refitted together. The defaults serve all inputs: every
-/// length is measured in the shapes' own noise or in the scan's diagonal.
+/// length is measured in the shapes' own noise, the distance of coplanar planes among them.
 struct RefitOptions {
   LossKind loss = LossKind::kGemanMcClure;
-  double loss_scale = 4.0;          ///< of a distance in units of its shape's noise, (0, 100]
-  double angle_tolerance = 0.0175;  ///< see RegularityOptions, radians (1 degree), (0, 0.5]
-  /// See RegularityOptions, per cent of the diagonal, (0, 10].
-  double distance_tolerance_percent = 0.1;
+  double loss_scale = 4.0;             ///< of a distance in units of its shape's noise, (0, 100]
+  double angle_tolerance = 0.0087;     ///< see RegularityOptions, radians (0.5 degrees), (0, 0.5]
   double deviations = 3.0;             ///< see RegularityOptions, [1, 10]
   double regularity_strength = 100.0;  ///< see PlaneRefinementOptions, [0, 1e4]
   bool regularities = true;            ///< false: each plane alone
@@ -42,8 +40,10 @@ struct PlaneRefit {
 };
 
 /// Refits the planes of shapes together: each to its own elements under a robust loss whose scale
-/// is the shape's own noise, with the regularities that hold between them within what the noise
-/// leaves open. This is the answer to a limitation of structural scales (CVPR 2018, section 6).
+/// is the shape's own noise, with the regularities that hold between near ones within what the
+/// noise leaves open. None turns a plane further from what its own points say than that:
+/// regularities that would, since several add up, are dropped. This is the answer to a limitation
+/// of structural scales (CVPR 2018, section 6).
 ///
 /// shape_of: per element its shape, numbered from 0, or -1. Facets weigh by their area: they enter
 /// by the mid-points of their triangles' edges, which give the moments of a triangle exactly. A

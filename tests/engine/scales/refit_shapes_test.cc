@@ -109,6 +109,33 @@ TEST(RefitShapes, AWallThatTrulyLeansStaysSo) {
   EXPECT_LT(angle(refit.after[0], house.plane(0)), 0.1 * lean);
 }
 
+TEST(RefitShapes, ManyHousesOfAllAzimuthsDoNotBendEachOther) {
+  Scan all;
+  std::vector<int> shape_of;
+  std::vector<OrientedPlane> truth;
+  for (int i = 0; i < 60; ++i) {
+    Random random(i);
+    const SyntheticHouse house = random_house(kAllKinds[i % 4], &random);
+    std::vector<int> own;
+    const Scan scan = scan_house(house, 2500, 0.05, 0.0, &random, &own);
+    const Eigen::Vector3d lot(20.0 * (i % 8), 20.0 * (i / 8), 0.0);
+    for (int shape : own) shape_of.push_back(static_cast<int>(truth.size()) + shape);
+    for (const Eigen::Vector3d& p : scan.points) all.points.push_back(p + lot);
+    for (size_t f = 0; f < house.facets.size(); ++f) truth.push_back(house.plane(f));
+  }
+  const PlaneRefit refit = refit_shapes(all, shape_of, {});
+  Errors sums;
+  double worst = 0.0;
+  for (size_t i = 0; i < truth.size(); ++i) {
+    sums.before += angle(refit.before[i], truth[i]);
+    sums.after += angle(refit.after[i], truth[i]);
+    worst = std::max(worst, angle(refit.after[i], truth[i]));
+  }
+  EXPECT_GT(sums.factor(), 1.2);
+  EXPECT_LT(worst, 0.03);
+  EXPECT_LT(refit.rms_after, 1.02 * refit.rms_before);
+}
+
 // The facets of a house as triangles of a grid, moved by noise.
 Scan house_mesh(const SyntheticHouse& house, double noise, Random* random,
                 std::vector<int>* shape_of) {
@@ -183,8 +210,8 @@ TEST(RefitShapes, NamesTheViolatedBound) {
   options.loss_scale = 0.0;
   EXPECT_EQ(check(options), "loss_scale must lie in (0, 100]");
   options = {};
-  options.distance_tolerance_percent = 0.0;
-  EXPECT_EQ(check(options), "distance_tolerance_percent must lie in (0, 10]");
+  options.deviations = 0.0;
+  EXPECT_EQ(check(options), "deviations must lie in [1, 10]");
 }
 
 }  // namespace
