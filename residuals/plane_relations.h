@@ -3,6 +3,8 @@
 #include <ceres/autodiff_cost_function.h>
 #include <gable/residuals/oriented_plane.h>
 
+#include <cmath>
+
 namespace gable {
 
 // Regularities of planes as residuals. Parameter blocks: OrientedPlane::values, one or two. Angles
@@ -89,6 +91,35 @@ class CoplanarPlanes {
   Eigen::Vector3d centroid_a_, centroid_b_;
   ParallelPlanes parallel_;
   double distance_weight_;
+};
+
+/// Of equal slope: r = weight * (slope_a - slope_b), one residual, where a slope is the angle in
+/// [0, pi / 2] between plane and horizontal. Not defined for horizontal planes.
+class EquallySteepPlanes {
+ public:
+  explicit EquallySteepPlanes(double weight) : weight_(weight) {}
+
+  template <typename T>
+  bool operator()(const T* a, const T* b, T* residual) const {
+    residual[0] = (slope(a) - slope(b)) * weight_;
+    return true;
+  }
+
+  static ceres::CostFunction* create(double weight) {
+    return new ceres::AutoDiffCostFunction<EquallySteepPlanes, 1, kPlaneSize, kPlaneSize>(
+        new EquallySteepPlanes(weight));
+  }
+
+ private:
+  template <typename T>
+  static T slope(const T* plane) {
+    using std::atan2;
+    using std::sqrt;
+    const T across = sqrt(plane[0] * plane[0] + plane[1] * plane[1]);
+    return atan2(across, plane[2] < T(0.0) ? T(-plane[2]) : plane[2]);
+  }
+
+  double weight_;
 };
 
 /// Horizontal: r = weight * (normal.x, normal.y), two residuals of norm weight * sin slope.

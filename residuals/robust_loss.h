@@ -40,6 +40,13 @@ class RobustLoss {
     return r / sqrt(T(1.0) + ratio);
   }
 
+  /// d rho / d (r^2): what a squared residual weighs at r, 1 near 0.
+  double slope(double r) const {
+    const double ratio = r * r * inverse_square_;
+    if (kind_ == LossKind::kSoftL1) return 1.0 / std::sqrt(1.0 + ratio);
+    return 1.0 / ((1.0 + ratio) * (1.0 + ratio));
+  }
+
   /// robust(r) and its derivative.
   void evaluate(double r, double* value, double* derivative) const {
     const double root = std::sqrt(1.0 + r * r * inverse_square_);

@@ -23,38 +23,49 @@ struct Stiffness {
 struct WeightedPoints {
   std::vector<PointMoments> moments;  ///< per plane, weighted by the loss's slope
   double cost = 0.0;                  ///< half the sum of the losses
-  double squares = 0.0;               ///< sum of squared distances
-  size_t count = 0;
+  double squares = 0.0;               ///< weighted sum of squared distances
+  double weight = 0.0;
 };
 
 // One pass over the points; offsets of planes are relative to their centroids (see refine_planes).
-// Soft L1: d rho / d (r^2) = 1 / sqrt(1 + r^2 / a^2).
 WeightedPoints weigh(const std::vector<Eigen::Vector3d>& points,
-                     const std::vector<std::vector<int>>& members,
-                     const std::vector<Stiffness>& stiffnesses, double loss_scale,
+                     const std::vector<PlaneSupport>& supports,
+                     const std::vector<Stiffness>& stiffnesses, const RobustLoss& loss,
                      const std::vector<OrientedPlane>& planes) {
-  const RobustLoss loss(LossKind::kSoftL1, loss_scale);
   WeightedPoints out;
   for (size_t i = 0; i < planes.size(); ++i) {
+    const PlaneSupport& support = supports[i];
+    const double inverse = 1.0 / support.noise;
     PointMoments moments;
-    for (int m : members[i]) {
-      const Eigen::Vector3d p = points[m] - stiffnesses[i].centroid;
-      const double r = planes[i].signed_distance(p);
-      out.cost += 0.5 * loss.cost(r);
-      out.squares += r * r;
-      moments.add(p, 1.0 / std::sqrt(1.0 + r * r / (loss_scale * loss_scale)));
+    for (size_t k = 0; k < support.members.size(); ++k) {
+      const Eigen::Vector3d p = points[support.members[k]] - stiffnesses[i].centroid;
+      const double weight = support.weights.empty() ? 1.0 : support.weights[k];
+      const double distance = planes[i].signed_distance(p);
+      const double r = distance * inverse;
+      out.cost += 0.5 * weight * loss.cost(r);
+      out.squares += weight * distance * distance;
+      out.weight += weight;
+      moments.add(p, weight * loss.slope(r) * inverse * inverse);
     }
-    out.count += members[i].size();
     out.moments.push_back(moments);
   }
   return out;
 }
 
-Stiffness stiffness(const PointMoments& moments) {
+Stiffness stiffness(const std::vector<Eigen::Vector3d>& points, const PlaneSupport& support) {
+  CHECK_GE(support.members.size(), 3u) << "a plane needs three points";
+  CHECK(support.weights.empty() || support.weights.size() == support.members.size());
+  CHECK_GT(support.noise, 0.0);
+  PointMoments moments;
+  moments.reference = points[support.members.front()];
+  for (size_t k = 0; k < support.members.size(); ++k) {
+    moments.add(points[support.members[k]], support.weights.empty() ? 1.0 : support.weights[k]);
+  }
+  CHECK_GT(moments.weight, 0.0) << "a plane needs points that weigh something";
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(moments.scatter(),
                                                              Eigen::EigenvaluesOnly);
-  return {std::sqrt(std::max(0.0, eigen.eigenvalues()[2])), std::sqrt(moments.weight),
-          moments.centroid()};
+  return {std::sqrt(std::max(0.0, eigen.eigenvalues()[2])) / support.noise,
+          std::sqrt(moments.weight) / support.noise, moments.centroid()};
 }
 
 void add_regularity(const PlaneRegularity& regularity, const std::vector<Stiffness>& stiffnesses,
@@ -79,6 +90,8 @@ void add_regularity(const PlaneRegularity& regularity, const std::vector<Stiffne
     cost = ParallelPlanes::create(turn);
   } else if (regularity.kind == RegularityKind::kOrthogonal) {
     cost = OrthogonalPlanes::create(turn);
+  } else if (regularity.kind == RegularityKind::kEqualSlope) {
+    cost = EquallySteepPlanes::create(turn);
   } else {
     // Each centroid in the frame of the other plane.
     cost = CoplanarPlanes::create(a.centroid - b.centroid, b.centroid - a.centroid, turn,
@@ -109,23 +122,17 @@ std::string check(const PlaneRefinementOptions& options) {
 }
 
 PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
-                                     const std::vector<std::vector<int>>& members,
+                                     const std::vector<PlaneSupport>& supports,
                                      const std::vector<PlaneRegularity>& regularities,
                                      const PlaneRefinementOptions& options,
                                      std::vector<OrientedPlane>* planes) {
   CHECK(check(options).empty()) << check(options);
-  CHECK_EQ(members.size(), planes->size());
-  for (const auto& m : members) CHECK_GE(m.size(), 3u) << "a plane needs three points";
+  CHECK_EQ(supports.size(), planes->size());
   const auto start = std::chrono::steady_clock::now();
 
   // Regularities weigh against the unweighted points, so that reweighting leaves them alone.
   std::vector<Stiffness> stiffnesses;
-  for (const auto& m : members) {
-    PointMoments moments;
-    moments.reference = points[m.front()];
-    for (int i : m) moments.add(points[i]);
-    stiffnesses.push_back(stiffness(moments));
-  }
+  for (const PlaneSupport& support : supports) stiffnesses.push_back(stiffness(points, support));
 
   // While they are solved for, offsets are relative to the planes' centroids: turning a plane then
   // leaves its offset alone, however far away the frame's origin is.
@@ -135,7 +142,8 @@ PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
   }
 
   PlaneRefinementSummary summary;
-  WeightedPoints weighted = weigh(points, members, stiffnesses, options.loss_scale, *planes);
+  const RobustLoss loss(options.loss, options.loss_scale);
+  WeightedPoints weighted = weigh(points, supports, stiffnesses, loss, *planes);
   summary.termination = Termination::kIterationLimit;
   for (int pass = 0; pass < options.max_reweightings; ++pass) {
     ceres::Problem problem;
@@ -167,7 +175,7 @@ PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
     const MinimizerSummary solved = minimize(minimizer, &problem);
     summary.iterations += solved.iterations;
     ++summary.reweightings;
-    weighted = weigh(points, members, stiffnesses, options.loss_scale, *planes);
+    weighted = weigh(points, supports, stiffnesses, loss, *planes);
     summary.final_cost = weighted.cost + relation_cost();
     if (solved.termination == Termination::kFailed) {
       summary.termination = Termination::kFailed;
@@ -182,10 +190,20 @@ PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
     OrientedPlane& plane = (*planes)[i];
     plane = {plane.normal(), plane.offset() + plane.normal().dot(stiffnesses[i].centroid)};
   }
-  summary.rmse = std::sqrt(weighted.squares / std::max<double>(1.0, weighted.count));
+  if (weighted.weight > 0.0) summary.rmse = std::sqrt(weighted.squares / weighted.weight);
   summary.time_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return summary;
+}
+
+PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
+                                     const std::vector<std::vector<int>>& members,
+                                     const std::vector<PlaneRegularity>& regularities,
+                                     const PlaneRefinementOptions& options,
+                                     std::vector<OrientedPlane>* planes) {
+  std::vector<PlaneSupport> supports;
+  for (const std::vector<int>& m : members) supports.push_back({m, {}, 1.0});
+  return refine_planes(points, supports, regularities, options, planes);
 }
 
 }  // namespace gable

@@ -99,6 +99,13 @@ TEST(Gradient, PlaneRelations) {
     using Owned = std::unique_ptr<ceres::CostFunction>;
     expect_exact(Owned(ParallelPlanes::create(weight)), {a, b});
     expect_exact(Owned(OrthogonalPlanes::create(weight)), {a, b});
+    // Keeps clear of the kink of |normal.z| at vertical planes and of horizontal ones.
+    const auto inclined = [](const std::vector<double>& p) {
+      return std::abs(p[2]) > 0.05 && std::abs(p[2]) < 0.95;
+    };
+    if (inclined(a) && inclined(b)) {
+      expect_exact(Owned(EquallySteepPlanes::create(weight)), {a, b});
+    }
     expect_exact(
         Owned(CoplanarPlanes::create(random_point(&random, 9.0), random_point(&random, 9.0), weight,
                                      random.uniform(0.1, 3.0))),

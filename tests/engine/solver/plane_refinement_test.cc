@@ -185,6 +185,68 @@ TEST(PlaneRefinement, CoplanarPlanesFarFromTheOriginMeetBetweenTheirPoints) {
   EXPECT_LT(std::abs(planes[1].signed_distance(moments[0].centroid())), 5e-3);
 }
 
+TEST(PlaneRefinement, AWeightOfTwoIsThePointTwice) {
+  const Scan scan = house_scan(0.1);
+  std::vector<PlaneSupport> twice, weighted;
+  for (const std::vector<int>& members : scan.members) {
+    PlaneSupport a{members, {}, 0.5}, b{members, {}, 0.5};
+    for (size_t k = 0; k < members.size(); ++k) {
+      if (k % 3 == 0) a.members.push_back(members[k]);
+      b.weights.push_back(k % 3 == 0 ? 2.0 : 1.0);
+    }
+    twice.push_back(a);
+    weighted.push_back(b);
+  }
+  const std::vector<PlaneRegularity> regularities{{RegularityKind::kVertical, 2},
+                                                  {RegularityKind::kEqualSlope, 0, 1}};
+  for (const LossKind loss : {LossKind::kSoftL1, LossKind::kGemanMcClure}) {
+    PlaneRefinementOptions options;
+    options.loss = loss;
+    std::vector<OrientedPlane> a = perturbed(scan, 7), b = a;
+    const auto summary_a = refine_planes(scan.points, twice, regularities, options, &a);
+    const auto summary_b = refine_planes(scan.points, weighted, regularities, options, &b);
+    EXPECT_NEAR(summary_a.final_cost, summary_b.final_cost, 1e-6 * summary_a.final_cost);
+    EXPECT_NEAR(summary_a.rmse, summary_b.rmse, 1e-6);
+    for (size_t i = 0; i < a.size(); ++i) EXPECT_LT(angle(a[i], b[i]), 1e-6);
+  }
+}
+
+TEST(PlaneRefinement, TheCostNeverRisesUnderAnyLoss) {
+  const Scan scan = house_scan(0.2);
+  std::vector<PlaneSupport> supports;
+  for (const std::vector<int>& members : scan.members) supports.push_back({members, {}, 0.02});
+  PlaneRefinementOptions options;
+  options.loss = LossKind::kGemanMcClure;
+  options.loss_scale = 3.0;
+  options.max_reweightings = 1;
+  options.cost_tolerance = 0.0;
+  std::vector<OrientedPlane> planes = perturbed(scan, 8);
+  double cost = 1e300;
+  for (int pass = 0; pass < 15; ++pass) {
+    const auto summary = refine_planes(scan.points, supports, {}, options, &planes);
+    EXPECT_LE(summary.initial_cost, cost * (1.0 + 1e-9));
+    EXPECT_LE(summary.final_cost, summary.initial_cost * (1.0 + 1e-9));
+    cost = summary.final_cost;
+  }
+}
+
+TEST(PlaneRefinement, WhereTiedPlanesMeetDependsOnTheirNoise) {
+  Random random(9);
+  Scan scan;
+  const Eigen::Vector3d level(0.0, 0.0, 1.0), tilted(0.0, 0.05, 1.0);
+  sample(plane_through(level, {0, 0, 0}), {0, 0, 0}, 300, 0.01, 0.0, &random, &scan);
+  sample(plane_through(tilted, {9, 0, 3}), {9, 0, 3}, 300, 0.10, 0.0, &random, &scan);
+  std::vector<PlaneSupport> supports{{scan.members[0], {}, 0.01}, {scan.members[1], {}, 0.10}};
+  std::vector<OrientedPlane> planes = scan.truth;
+  PlaneRefinementOptions options;
+  options.loss_scale = 10.0;
+  options.regularity_strength = 1000.0;
+  refine_planes(scan.points, supports, {{RegularityKind::kParallel, 0, 1}}, options, &planes);
+  EXPECT_LT(angle(planes[0], planes[1]), 1e-4);
+  // A hundred times the information keeps the first where it was.
+  EXPECT_LT(angle(planes[0], scan.truth[0]), 0.003);
+}
+
 TEST(PlaneRefinement, NamesTheViolatedBound) {
   PlaneRefinementOptions options;
   EXPECT_EQ(check(options), "");

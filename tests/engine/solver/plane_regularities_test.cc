@@ -71,12 +71,74 @@ TEST_F(PlaneRegularities, HorizontalAndVerticalPlanesNeedNoPairs) {
                                                     {RegularityKind::kVertical, 2}}));
 }
 
+TEST_F(PlaneRegularities, NamesTheViolatedBound) {
+  RegularityOptions options;
+  EXPECT_EQ(check(options), "");
+  options.deviations = 0.5;
+  EXPECT_EQ(check(options), "deviations must lie in [1, 10]");
+}
+
 TEST_F(PlaneRegularities, NothingOutsideTheToleranceOrThePairsGiven) {
   add({1.0, 2.0, 2.0}, {0.0, 0.0, 0.0}, &planes_, &moments_);
   add({1.0, 2.0, 2.4}, {0.0, 0.0, 5.0}, &planes_, &moments_);
   add({1.0, 2.0, 2.0}, {0.0, 0.0, 9.0}, &planes_, &moments_);
   EXPECT_TRUE(detect({{0, 1}, {1, 2}}).empty());
   EXPECT_EQ(detect().size(), 1u);
+}
+
+// The same with a grid of points that alternate about the plane by `noise`.
+void add_noisy(const Eigen::Vector3d& direction, const Eigen::Vector3d& point, double size,
+               double noise, std::vector<OrientedPlane>* planes,
+               std::vector<PointMoments>* moments) {
+  add(direction, point, planes, moments);
+  const Eigen::Vector3d normal = planes->back().normal();
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  PointMoments all;
+  all.reference = point;
+  for (int i = -3; i <= 3; ++i) {
+    for (int k = -3; k <= 3; ++k) {
+      const double off = (i + k) % 2 ? -noise : noise;
+      all.add(point + size / 3 * (i * u + k * v) + off * normal);
+    }
+  }
+  moments->back() = all;
+}
+
+TEST_F(PlaneRegularities, SmallNoisyPlanesSnapAndPreciseOnesThatDifferDoNot) {
+  // Both are 5 degrees off vertical; of the second the points leave 4 degrees open.
+  const Eigen::Vector3d leaning(1.0, 0.3, 0.0913);
+  add_noisy(leaning, {0.0, 0.0, 0.0}, 3.0, 0.01, &planes_, &moments_);
+  EXPECT_TRUE(detect().empty());
+  planes_.clear(), moments_.clear();
+  add_noisy(leaning, {0.0, 0.0, 0.0}, 0.4, 0.1, &planes_, &moments_);
+  EXPECT_EQ(detect(), (std::vector<PlaneRegularity>{{RegularityKind::kVertical, 0}}));
+}
+
+TEST_F(PlaneRegularities, APlaneThatCouldBeTurnedAnywhereIsNothingInParticular) {
+  add_noisy({1.0, 0.3, 0.0}, {0.0, 0.0, 0.0}, 0.1, 0.3, &planes_, &moments_);
+  EXPECT_TRUE(detect().empty());
+}
+
+TEST_F(PlaneRegularities, AnUncertainPlaneDoesNotMakeCertainOnesParallel) {
+  add({1.0, 2.0, 2.0}, {0.0, 0.0, 0.0}, &planes_, &moments_);
+  add({1.0, 2.0, 2.4}, {0.0, 0.0, 9.0}, &planes_, &moments_);  // 5 degrees apart
+  add_noisy({1.0, 2.0, 2.2}, {0.0, 0.0, 5.0}, 0.4, 0.1, &planes_, &moments_);
+  const auto found = detect();
+  ASSERT_EQ(count(found, RegularityKind::kParallel), 1);
+  const auto pair = std::find_if(found.begin(), found.end(), [](const PlaneRegularity& r) {
+    return r.kind == RegularityKind::kParallel;
+  });
+  EXPECT_EQ(pair->b, 2);
+}
+
+TEST_F(PlaneRegularities, TheSidesOfAHipAreOfEqualSlopeOnce) {
+  for (const auto& [x, y] : {std::pair(3.0, 1.0), {-3.0, -1.0}, {-1.0, 3.0}, {1.0, -3.0}}) {
+    add({x, y, 2.0}, {4 * x, 4 * y, 0.0}, &planes_, &moments_);
+  }
+  add({0.0, 0.0, 1.0}, {0.0, 0.0, 9.0}, &planes_, &moments_);
+  EXPECT_EQ(count(detect(), RegularityKind::kEqualSlope), 3);
+  planes_[3] = {Eigen::Vector3d(1.0, -3.0, 4.0).normalized(), 0.0};
+  EXPECT_EQ(count(detect(), RegularityKind::kEqualSlope), 2);
 }
 
 }  // namespace
