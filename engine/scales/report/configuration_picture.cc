@@ -42,13 +42,25 @@ std::vector<Eigen::Vector3d> shape_normals(const Scan& scan, std::span<const int
   return normals;
 }
 
+void add_facets(const Scan& mesh, std::span<const int> shape_of, ShapeCanvas& canvas) {
+  std::vector<Eigen::Vector3d> corners;
+  for (size_t f = 0; f < mesh.facets.size(); ++f) {
+    corners.clear();
+    for (const int corner : mesh.facets[f]) corners.push_back(mesh.points[corner]);
+    canvas.add_facet(corners, shape_of[f]);
+  }
+}
+
 }  // namespace
 
-cv::Mat draw_shapes(std::span<const PlanarShape> shapes, const AxonometricView& view) {
+cv::Mat draw_shapes(std::span<const PlanarShape> shapes, const AxonometricView& view,
+                    std::span<const int> numbers) {
+  CHECK(numbers.empty() || numbers.size() == shapes.size());
   ShapeCanvas canvas(view);
   for (size_t s = 0; s < shapes.size(); ++s) {
+    const int number = numbers.empty() ? static_cast<int>(s) : numbers[s];
     for (const SpacePolygon& polygon : shapes[s].polygons) {
-      canvas.add(polygon, shapes[s].plane, static_cast<int>(s));
+      canvas.add(polygon, shapes[s].plane, number);
     }
   }
   return canvas.picture(true);
@@ -59,12 +71,7 @@ cv::Mat draw_elements(const Scan& scan, std::span<const int> shape_of,
   CHECK_EQ(shape_of.size(), scan.num_elements());
   ShapeCanvas canvas(view);
   if (scan.is_mesh()) {
-    std::vector<Eigen::Vector3d> corners;
-    for (size_t f = 0; f < scan.facets.size(); ++f) {
-      corners.clear();
-      for (const int corner : scan.facets[f]) corners.push_back(scan.points[corner]);
-      canvas.add_facet(corners, shape_of[f]);
-    }
+    add_facets(scan, shape_of, canvas);
     return canvas.picture(true);
   }
   const std::vector<Eigen::Vector3d> normals = shape_normals(scan, shape_of);
@@ -73,6 +80,21 @@ cv::Mat draw_elements(const Scan& scan, std::span<const int> shape_of,
     const int shape = shape_of[i];
     canvas.add_point(scan.points[i], shape < 0 ? Eigen::Vector3d::Zero() : normals[shape],
                      shape < 0 ? std::max(kMinRadius, radius / 3.0) : radius, shape);
+  }
+  return canvas.picture(false);
+}
+
+cv::Mat draw_scan(const Scan& scan, const AxonometricView& view) {
+  ShapeCanvas canvas(view);
+  if (scan.is_mesh()) {
+    add_facets(scan, std::vector(scan.facets.size(), -1), canvas);
+    return canvas.picture(false);
+  }
+  const double radius = disc_radius(scan.points.size(), view);
+  for (size_t i = 0; i < scan.points.size(); ++i) {
+    const Eigen::Vector3d normal =
+        scan.normals.empty() ? Eigen::Vector3d::Zero() : scan.normals[i].cast<double>().eval();
+    canvas.add_point(scan.points[i], normal, radius, -1);
   }
   return canvas.picture(false);
 }

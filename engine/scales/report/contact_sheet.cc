@@ -1,6 +1,7 @@
 #include <gable/engine/drawing/canvas.h>
 #include <gable/engine/scales/report/configuration_picture.h>
 #include <gable/engine/scales/report/contact_sheet.h>
+#include <gable/engine/scales/report/lasting_numbers.h>
 #include <gable/engine/scales/report/shape_colors.h>
 #include <glog/logging.h>
 
@@ -101,10 +102,11 @@ cv::Mat draw_contact_sheet(const Scan& scan, const FirstShapes& first_shapes,
                 scalar(kPaperColor));
   draw_text(sheet, title, {kPad, 23}, 0.6);
   const AxonometricView view = view_of(scan.points, width, height);
+  const LastingNumbers numbers(trajectory, first_shapes);
   std::vector<int> shape_of(scan.num_elements());
   for (size_t i = 0; i < shown.size(); ++i) {
     const int configuration = shown[i];
-    const std::vector<int> shapes = shapes_at(trajectory, configuration);
+    const std::vector<int> shapes = numbers.at(configuration);
     for (size_t e = 0; e < shape_of.size(); ++e) {
       const int first = first_shapes.shape_of[e];
       shape_of[e] = first < 0 ? -1 : shapes[first];

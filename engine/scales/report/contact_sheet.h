@@ -30,10 +30,10 @@ std::vector<int> sheet_configurations(const Trajectory& trajectory, const ScaleL
                                       const ContactSheetOptions& options);
 
 /// Pictures of the configurations of a trajectory, for a person to write down at which one each
-/// scale begins: element colours by shape, each captioned with its number and its number of shapes,
-/// underlined in the colour of its label. Where a scale of `labels` begins, the picture is framed
-/// and says so; labels without scales (`first` empty) mark nothing. `first_shapes` are those of the
-/// scan. 8-bit BGR.
+/// scale begins: elements coloured by shape (a colour stays with the larger part through merges),
+/// each captioned with its number and its number of shapes, underlined in the colour of its label.
+/// Where a scale of `labels` begins, the picture is framed and says so; labels without scales
+/// (`first` empty) mark nothing. `first_shapes` are those of the scan. 8-bit BGR.
 cv::Mat draw_contact_sheet(const Scan& scan, const FirstShapes& first_shapes,
                            const Trajectory& trajectory, const ScaleLabels& labels,
                            const std::string& title, const ContactSheetOptions& options = {});
