@@ -8,7 +8,7 @@ namespace gable {
 Color shape_color(int shape);
 
 /// Elements that no shape holds.
-inline constexpr Color kNoShapeColor{200, 200, 204};
+inline constexpr Color kNoShapeColor{214, 215, 219};
 
 /// The colour of a structural scale, from 1; grey for 0, fragments that no scale holds.
 Color label_color(int label);
