@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gable/engine/scales/planar_shape.h>
-#include <gable/engine/scan.h>
 
 #include <span>
 #include <string>
@@ -29,14 +28,6 @@ std::string check(const InlierPolygonOptions& options);
 std::vector<SpacePolygon> inlier_polygons(std::span<const Eigen::Vector3d> points,
                                           const OrientedPlane& plane,
                                           const InlierPolygonOptions& options = {});
-
-/// The union of facets of a mesh projected onto a plane, to within about 1/1000 of their extent.
-/// Facets may overlap, be degenerate or not meet; those that are edge-on have no part in it.
-std::vector<SpacePolygon> facet_polygons(const Scan& mesh, std::span<const int> facets,
-                                         const OrientedPlane& plane);
-
-/// Area less the holes, square metres.
-double area_of(const SpacePolygon& polygon);
 
 /// The edge of the square that one point stands for on a plane, metres: from the distances of up to
 /// 200 of the points to their 8th neighbours, where the points are sparse (upper quartile). 0 where

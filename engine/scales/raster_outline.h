@@ -1,18 +1,11 @@
 #pragma once
 
-#include <gable/engine/scales/ring_simplification.h>
+#include <gable/engine/scales/outlined_region.h>
 
 #include <opencv2/core.hpp>
 #include <vector>
 
 namespace gable {
-
-/// A region of the plane: its outer ring anticlockwise, its holes clockwise.
-struct OutlinedRegion {
-  Ring outer;
-  std::vector<Ring> holes;
-  double area = 0.0;  ///< less the holes
-};
 
 /// The alpha hull of the marked pixels of a raster: what no disc of radius `radius` (pixels) that
 /// holds no mark can reach, which is the closing of the marks with that disc (Edelsbrunner,

@@ -1,4 +1,5 @@
 #include <gable/engine/scales/inlier_polygon.h>
+#include <gable/engine/scales/outlined_region.h>
 #include <gable/engine/scales/plane_frame.h>
 #include <gable/engine/scales/ring_simplification.h>
 #include <gable/grammar/random.h>
@@ -209,67 +210,6 @@ TEST(PlanarSpacing, OfAGridIsNearItsCell) {
     for (int j = 0; j < 60; ++j) points.emplace_back(0.2 * i, 0.2 * j, 0.0);
   }
   EXPECT_NEAR(planar_spacing(points, kLevel), 0.2, 0.04);
-}
-
-Scan mesh_of(const std::vector<Eigen::Vector3d>& points,
-             const std::vector<std::vector<int>>& facets) {
-  Scan mesh;
-  mesh.points = points;
-  for (const auto& facet : facets) mesh.facets.add(facet);
-  return mesh;
-}
-
-TEST(FacetPolygon, IsTheUnionOfFacetsThatMeetOverlapOrDegenerate) {
-  const Scan mesh = mesh_of({{0, 0, 0},
-                             {4, 0, 0},
-                             {4, 3, 0.1},
-                             {0, 3, -0.1},
-                             {2, 1, 0},
-                             {6, 1, 0},
-                             {6, 2, 0},
-                             {2, 2, 0},
-                             {1, 1, 9}},
-                            {{0, 1, 2}, {0, 2, 3}, {4, 5, 6, 7}, {0, 0, 1}, {0, 1, 1}});
-  const std::vector<int> all{0, 1, 2, 3, 4};
-  const auto polygons = facet_polygons(mesh, all, kLevel);
-  ASSERT_EQ(polygons.size(), 1u);
-  EXPECT_NEAR(total_area(polygons), 14.0, 0.01 * 14.0);
-  EXPECT_TRUE(polygons[0].holes.empty());
-  EXPECT_TRUE(covers(polygons, 5.9, 1.5));
-  EXPECT_FALSE(covers(polygons, 5.0, 0.5));
-  const std::vector<int> degenerate{3, 4};
-  EXPECT_TRUE(facet_polygons(mesh, degenerate, kLevel).empty());
-  EXPECT_TRUE(facet_polygons(mesh, {}, kLevel).empty());
-  const OrientedPlane upright(Eigen::Vector3d::UnitX(), 0.0);
-  const std::vector<int> level{2};
-  EXPECT_TRUE(facet_polygons(mesh, level, upright).empty());
-}
-
-TEST(FacetPolygon, OfARectangleHasFewCornersNearItsOwn) {
-  const Scan mesh = mesh_of({{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {0, 5, 0}}, {{0, 1, 2, 3}});
-  const std::vector<int> all{0};
-  const auto polygons = facet_polygons(mesh, all, kLevel);
-  ASSERT_EQ(polygons.size(), 1u);
-  EXPECT_NEAR(total_area(polygons), 50.0, 0.005 * 50.0);
-  EXPECT_LE(polygons[0].outer.size(), 8u);
-  for (const Eigen::Vector3d& p : polygons[0].outer) {
-    double nearest = 1e9;
-    for (const Eigen::Vector3d& corner : mesh.points) {
-      nearest = std::min(nearest, (p - corner).norm());
-    }
-    EXPECT_LT(nearest, 0.04);
-  }
-}
-
-TEST(FacetPolygon, KeepsTheHoleOfARingOfFacets) {
-  const Scan mesh = mesh_of(
-      {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {3, 3, 0}, {6, 3, 0}, {6, 6, 0}, {3, 6, 0}},
-      {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
-  const std::vector<int> all{0, 1, 2, 3};
-  const auto polygons = facet_polygons(mesh, all, kLevel);
-  ASSERT_EQ(polygons.size(), 1u);
-  ASSERT_EQ(polygons[0].holes.size(), 1u);
-  EXPECT_NEAR(total_area(polygons), 72.0, 0.01 * 72.0);
 }
 
 TEST(InlierPolygonOptions, CheckNamesTheViolatedBound) {
