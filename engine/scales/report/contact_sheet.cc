@@ -35,8 +35,8 @@ std::string beginnings(const ScaleLabels& labels, int configuration) {
 /// Configurations from `first` to `last` in `count` steps of the logarithm of their shapes.
 std::set<int> spread(const Trajectory& trajectory, int first, int last, int count) {
   std::set<int> out;
-  const double many = std::log(trajectory.num_shapes(first));
-  const double few = std::log(trajectory.num_shapes(last));
+  const double many = std::log(std::max(trajectory.num_shapes(first), 1));
+  const double few = std::log(std::max(trajectory.num_shapes(last), 1));
   for (int i = 0; i < count; ++i) {
     const double t = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
     const double number = std::exp(few + std::pow(1.0 - t, kCoarseBias) * (many - few));

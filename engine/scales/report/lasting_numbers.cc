@@ -30,6 +30,7 @@ LastingNumbers::LastingNumbers(const Trajectory& trajectory, const FirstShapes& 
 
 std::vector<int> LastingNumbers::at(int configuration) const {
   const int end = num_first_ + configuration;
+  CHECK(configuration >= 0 && end <= static_cast<int>(parent_.size()));
   // From the last merge backwards, every shape hands its number of this configuration down.
   std::vector<int> out(end);
   for (int shape = end - 1; shape >= 0; --shape) {

@@ -24,9 +24,10 @@ std::string hex(const Color& color) {
 /// Per shape of a scale, the lasting number of the shape of the trajectory that it comes from.
 std::vector<int> numbers_of(const ScaleShapes& scale, const FirstShapes& first_shapes,
                             const LastingNumbers& numbers) {
-  const std::vector<int> at = numbers.at(scale.configuration);
   std::vector<int> out(scale.shapes.size(), -1);
-  int unused = *std::max_element(at.begin(), at.end()) + 1;
+  if (out.empty()) return out;  // such as a scale that the trajectory does not reach
+  const std::vector<int> at = numbers.at(scale.configuration);
+  int unused = at.empty() ? 0 : *std::max_element(at.begin(), at.end()) + 1;
   for (size_t e = 0; e < scale.shape_of.size(); ++e) {
     const int shape = scale.shape_of[e], first = first_shapes.shape_of[e];
     if (shape >= 0 && first >= 0 && out[shape] < 0) out[shape] = at[first];

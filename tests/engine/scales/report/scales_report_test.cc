@@ -1,3 +1,4 @@
+#include <gable/engine/scales/report/contact_sheet.h>
 #include <gable/engine/scales/report/lasting_numbers.h>
 #include <gable/engine/scales/report/scales_report.h>
 #include <gmock/gmock.h>
@@ -90,6 +91,26 @@ TEST(ScalesReport, LeavesOutAnglesThatAreNotKnown) {
                                                        .scales = scales});
   EXPECT_THAT(files.back().bytes, Not(HasSubstr("refit")));
   EXPECT_THAT(files.back().bytes, HasSubstr("Scale 3<"));
+}
+
+TEST(ScalesReport, TakesAScanWithoutShapes) {
+  Scan scan;
+  scan.points = {{1, 2, 3}};
+  const FirstShapes first_shapes{.shape_of = {-1}, .moments = {}, .adjacent = {}, .diagonal = 0.0};
+  const Trajectory trajectory;
+  const ScaleLabels labels{.first = {0, 1}, .num_configurations = 1};
+  const std::vector<ScaleShapes> scales{{.configuration = 0, .shape_of = {-1}, .shapes = {}},
+                                        {.configuration = 1, .shape_of = {-1}, .shapes = {}}};
+  const std::vector<ReportFile> files = scales_report({.title = "a point",
+                                                       .scan = scan,
+                                                       .first_shapes = first_shapes,
+                                                       .trajectory = trajectory,
+                                                       .labels = labels,
+                                                       .scales = scales});
+  EXPECT_THAT(files.back().bytes, HasSubstr("0 planes"));
+  EXPECT_THAT(files.back().bytes, Not(HasSubstr("nan")));
+  const cv::Mat sheet = draw_contact_sheet(scan, first_shapes, trajectory, labels, "a point");
+  EXPECT_GT(sheet.rows, 200);
 }
 
 TEST(ScalesReport, DrawsPolygonsWhereThereAreSome) {
