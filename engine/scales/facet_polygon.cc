@@ -10,7 +10,7 @@ namespace gable {
 namespace {
 
 constexpr double kAlphaPixels = 1.5;  ///< closes cracks
-constexpr double kTolerance = 0.9;  ///< pixels
+constexpr double kTolerance = 0.9;    ///< pixels
 constexpr double kPixelsPerFacet = 40.0, kMinPixels = 200.0, kMaxPixels = 600.0;
 constexpr int kSubpixelBits = 6;
 
