@@ -1,5 +1,5 @@
-#include <gable/engine/reconstruct/report/canvas.h>
-#include <gable/engine/reconstruct/report/color.h>
+#include <gable/engine/drawing/canvas.h>
+#include <gable/engine/drawing/color.h>
 #include <gable/engine/reconstruct/report/height_panels.h>
 
 #include <algorithm>

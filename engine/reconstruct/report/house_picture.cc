@@ -1,7 +1,7 @@
+#include <gable/engine/drawing/canvas.h>
+#include <gable/engine/drawing/color.h>
+#include <gable/engine/drawing/fixed.h>
 #include <gable/engine/reconstruct/report/building_surface.h>
-#include <gable/engine/reconstruct/report/canvas.h>
-#include <gable/engine/reconstruct/report/color.h>
-#include <gable/engine/reconstruct/report/fixed.h>
 #include <gable/engine/reconstruct/report/height_panels.h>
 #include <gable/engine/reconstruct/report/house_picture.h>
 #include <gable/engine/reconstruct/report/parts_panel.h>

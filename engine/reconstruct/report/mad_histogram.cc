@@ -1,4 +1,4 @@
-#include <gable/engine/reconstruct/report/fixed.h>
+#include <gable/engine/drawing/fixed.h>
 #include <gable/engine/reconstruct/report/mad_histogram.h>
 
 #include <algorithm>

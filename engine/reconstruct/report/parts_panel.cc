@@ -1,4 +1,4 @@
-#include <gable/engine/reconstruct/report/canvas.h>
+#include <gable/engine/drawing/canvas.h>
 #include <gable/engine/reconstruct/report/parts_panel.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <gable/engine/drawing/color.h>
 #include <gable/engine/reconstruct/report/building_surface.h>
-#include <gable/engine/reconstruct/report/color.h>
 #include <gable/engine/reconstruct/report/height_panels.h>
 #include <gable/residuals/height_image.h>
 

@@ -1,6 +1,8 @@
-#include <gable/engine/reconstruct/report/fixed.h>
+#include <gable/engine/drawing/fixed.h>
+#include <gable/engine/drawing/html_escaped.h>
+#include <gable/engine/drawing/page_style.h>
 #include <gable/engine/reconstruct/report/mad_histogram.h>
-#include <gable/engine/reconstruct/report/page_assets.h>
+#include <gable/engine/reconstruct/report/page_script.h>
 #include <gable/engine/reconstruct/report/report_page.h>
 
 #include <cmath>
@@ -86,32 +88,6 @@ std::string summary(const std::vector<HouseEntry>& entries) {
 }
 
 }  // namespace
-
-std::string html_escaped(const std::string& text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      case '"':
-        html += "&quot;";
-        break;
-      case '\'':
-        html += "&#39;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
 
 std::string report_page(const std::vector<HouseEntry>& entries) {
   std::string html =

@@ -12,7 +12,4 @@ namespace gable {
 /// order given.
 std::string report_page(const std::vector<HouseEntry>& entries);
 
-/// Text with the five characters that HTML reserves replaced.
-std::string html_escaped(const std::string& text);
-
 }  // namespace gable

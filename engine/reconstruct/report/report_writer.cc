@@ -1,3 +1,4 @@
+#include <gable/engine/drawing/report_file.h>
 #include <gable/engine/error.h>
 #include <gable/engine/io/atomic_file.h>
 #include <gable/engine/reconstruct/report/house_picture.h>
@@ -7,10 +8,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
-#include <opencv2/imgcodecs.hpp>
 #include <string_view>
 #include <utility>
 
@@ -100,10 +99,8 @@ ReportWriter::~ReportWriter() {
 
 void ReportWriter::add(size_t index, const Building& building, const HeightImage& image) {
   const HousePicture picture = draw_house_picture(building, image, picture_options(options_));
-  std::vector<uint8_t> png;
-  CHECK(cv::imencode(".png", picture.image, png, {cv::IMWRITE_PNG_COMPRESSION, 6}));
   write_file_atomically((fs::path(staging_) / picture_name(index, building.id)).string(),
-                        {reinterpret_cast<const char*>(png.data()), png.size()});
+                        png_bytes(picture.image));
   const std::lock_guard lock(mutex_);
   entries_.push_back(entry_of(index, building));
 }

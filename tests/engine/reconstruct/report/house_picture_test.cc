@@ -1,5 +1,5 @@
+#include <gable/engine/drawing/canvas.h>
 #include <gable/engine/reconstruct/report/building_surface.h>
-#include <gable/engine/reconstruct/report/canvas.h>
 #include <gable/engine/reconstruct/report/house_picture.h>
 #include <gable/engine/reconstruct/report/parts_panel.h>
 #include <gtest/gtest.h>

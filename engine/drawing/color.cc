@@ -1,4 +1,4 @@
-#include <gable/engine/reconstruct/report/color.h>
+#include <gable/engine/drawing/color.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/reconstruct/report/color.h>
+#include <gable/engine/drawing/color.h>
 
 #include <opencv2/core.hpp>
 #include <string>

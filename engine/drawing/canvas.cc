@@ -1,5 +1,5 @@
-#include <gable/engine/reconstruct/report/canvas.h>
-#include <gable/engine/reconstruct/report/fixed.h>
+#include <gable/engine/drawing/canvas.h>
+#include <gable/engine/drawing/fixed.h>
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
