@@ -42,7 +42,7 @@ Header read_header(std::string_view bytes, const std::string& path) {
     if (header.count == 0) header.count = load_little<uint64_t>(at + 247);
   }
   if (header.format & kCompressed) {
-    refuse_scan(path, "its points are compressed (LAZ)", "convert it to LAS");
+    refuse_scan(path, "its points are compressed (LAZ)", "name it .laz, or convert it to LAS");
   }
   if (header.format > 10) {
     refuse_scan(path, "has the unknown point format " + std::to_string(header.format),
