@@ -9,9 +9,10 @@ namespace gable {
 namespace {
 
 void append_moments(const PointMoments& m, std::string* text) {
+  // The lower triangle: the one that eigenvalues are computed from.
   const double values[] = {m.weight,        m.sum.x(),       m.sum.y(),       m.sum.z(),
-                           m.squares(0, 0), m.squares(0, 1), m.squares(0, 2), m.squares(1, 1),
-                           m.squares(1, 2), m.squares(2, 2)};
+                           m.squares(0, 0), m.squares(1, 0), m.squares(2, 0), m.squares(1, 1),
+                           m.squares(2, 1), m.squares(2, 2)};
   append_numbers(values, text);
 }
 

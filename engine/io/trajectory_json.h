@@ -36,8 +36,10 @@ struct TrajectoryFile {
 /// Throws Error (kCannotWrite).
 void write_trajectory_json(const std::string& path, const TrajectoryFile& file);
 
-/// Reads what `write_trajectory_json` wrote, the same to the last bit. Throws Error: kNoInput where
-/// the file does not exist, kBadInput where it is no such file or its numbers do not fit together.
+/// Reads what `write_trajectory_json` wrote, the same to the last bit but for the
+/// upper triangles of second moments, which become mirrors of the lower ones. Throws Error:
+/// kNoInput where the file does not exist, kBadInput where it is no such file or its numbers do not
+/// fit together.
 TrajectoryFile read_trajectory_json(const std::string& path);
 
 }  // namespace gable
