@@ -9,6 +9,7 @@ namespace {
 
 // Far beyond any survey, yet squares and their sums stay far from overflow.
 constexpr double kFarthest = 1e12;
+constexpr size_t kLongestProblem = 200;
 constexpr float kShortestNormal = 1e-6f;
 
 bool usable(const Eigen::Vector3d& point) {
@@ -39,7 +40,12 @@ void make_unit(std::vector<Eigen::Vector3f>* normals) {
 }  // namespace
 
 void refuse_scan(const std::string& path, const std::string& problem, std::string_view remedy) {
-  throw Error(ExitCode::kBadInput, path + ": " + problem + "; " + std::string(remedy));
+  // A problem may quote a file of any bytes.
+  std::string line = problem.substr(0, kLongestProblem);
+  for (char& c : line) {
+    if (c < ' ' || c > '~') c = '?';
+  }
+  throw Error(ExitCode::kBadInput, path + ": " + line + "; " + std::string(remedy));
 }
 
 ScanFile finish_scan(Scan raw, const std::string& path) {

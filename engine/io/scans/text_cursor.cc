@@ -22,15 +22,6 @@ bool is_tiny(std::string_view word) {
   return word.find_first_of("123456789") > word.find('.');
 }
 
-/// A word as it may stand in a message: short and printable.
-std::string printable(std::string_view word) {
-  std::string out(word.substr(0, 24));
-  for (char& c : out) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return out;
-}
-
 }  // namespace
 
 bool parse_number(std::string_view word, double* value) {
@@ -87,7 +78,7 @@ double TextCursor::number(const char* what) {
   const std::string_view text = word();
   if (!parse_number(text, &value)) {
     position_ = begin;
-    refuse(std::string("\"") + printable(text) + "\" is no number where " + what + " is due");
+    refuse("\"" + std::string(text.substr(0, 24)) + "\" is no number where " + what + " is due");
   }
   return value;
 }
