@@ -34,6 +34,7 @@ constexpr size_t kSlack = 1 << 16;
 void save_input(int signal) {
   const int file = open(g_crash_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   if (file >= 0 && write(file, g_input.data(), g_input.size()) >= 0) close(file);
+  std::fprintf(stderr, "ended by signal %d; its input is in %s\n", signal, g_crash_file.c_str());
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -48,6 +49,12 @@ void run(std::string input) {
 }
 
 }  // namespace
+
+// Sanitizers report first, then abort, so that the input is saved.
+extern "C" const char* __asan_default_options() {
+  return "abort_on_error=1:handle_segv=2:handle_sigbus=2:handle_sigfpe=2:detect_leaks=0";
+}
+extern "C" const char* __ubsan_default_options() { return "abort_on_error=1:print_stacktrace=1"; }
 
 void* operator new(size_t size) {
   if (size > g_most_bytes) {
