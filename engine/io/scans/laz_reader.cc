@@ -3,6 +3,9 @@
 
 #ifdef GABLE_WITH_LASZIP
 
+#include <gable/engine/io/scans/las_header.h>
+#include <gable/engine/io/scans/las_reader.h>
+#include <gable/engine/io/scans/scalar_type.h>
 #include <laszip/laszip_api.h>
 
 #include <climits>
@@ -11,67 +14,75 @@
 namespace gable {
 namespace {
 
-/// LASzip's reader, closed on every way out.
-class LazReader {
+/// LASzip is not proof against truncated files. Their end holds the table of chunks, whose place
+/// stands before the first point or, where that could not be written, in the last bytes.
+void require_chunk_table(std::string_view bytes, const LasHeader& header, const std::string& path) {
+  const auto offset_at = [&](size_t at) { return load_little<int64_t>(bytes.data() + at); };
+  int64_t table = -1;
+  if (header.first >= 8 && header.first + 16 <= bytes.size()) {
+    table = offset_at(header.first);
+    if (table == -1) table = offset_at(bytes.size() - 8);
+  }
+  const auto first = static_cast<int64_t>(header.first) + 8;
+  if (table < first || table > static_cast<int64_t>(bytes.size()) - 8) {
+    refuse_scan(path, "its compressed points end too early",
+                "the file is truncated or damaged, export it again");
+  }
+}
+
+/// LASzip's reader of a file in memory.
+class LazPoints {
  public:
-  LazReader(std::string_view bytes, const std::string& path)
+  LazPoints(std::string_view bytes, const std::string& path)
       : path_(path), stream_(std::string(bytes)) {
-    require(laszip_create(&reader_));
+    laszip_create(&reader_);
+  }
+  ~LazPoints() {
+    laszip_close_reader(reader_);  // an error where it is not open, which changes nothing
+    laszip_destroy(reader_);
+  }
+  LazPoints(const LazPoints&) = delete;
+  LazPoints& operator=(const LazPoints&) = delete;
+
+  void open() {
     laszip_BOOL compressed = 0;
     require(laszip_open_reader_stream(reader_, stream_, &compressed));
-    is_open_ = true;
+    require(laszip_get_point_pointer(reader_, &record_));
   }
-  ~LazReader() {
-    if (is_open_) laszip_close_reader(reader_);
-    if (reader_) laszip_destroy(reader_);
-  }
-  LazReader(const LazReader&) = delete;
-  LazReader& operator=(const LazReader&) = delete;
-
-  laszip_POINTER get() const { return reader_; }
-  void require(laszip_I32 result) const {
-    if (result == 0) return;
-    laszip_CHAR* reason = nullptr;
-    if (reader_) laszip_get_error(reader_, &reason);
-    std::string line = reason ? reason : "unknown error";
-    for (char& c : line) {
-      if (static_cast<unsigned char>(c) < ' ') c = ' ';
-    }
-    refuse_scan(path_, "LASzip cannot read it (" + line + ")");
+  void next(Eigen::Vector3d* point, int* classification, bool extended) {
+    require(laszip_read_point(reader_));
+    require(laszip_get_coordinates(reader_, point->data()));
+    *classification = extended ? record_->extended_classification : record_->classification;
   }
 
  private:
+  void require(laszip_I32 result) const {
+    if (result == 0) return;
+    laszip_CHAR* reason = nullptr;
+    laszip_get_error(reader_, &reason);
+    refuse_scan(path_, std::string("LASzip cannot read it: ") + (reason ? reason : "unknown"));
+  }
+
   const std::string& path_;
   std::istringstream stream_;
   laszip_POINTER reader_ = nullptr;
-  bool is_open_ = false;
+  laszip_point* record_ = nullptr;
 };
 
 }  // namespace
 
 ScanFile read_laz(std::string_view bytes, const std::string& path) {
-  if (!bytes.starts_with("LASF")) {
-    refuse_scan(path, "is no LAZ file: it does not start with LASF", "check the extension");
-  }
-  const LazReader reader(bytes, path);
-  laszip_header* header = nullptr;
-  reader.require(laszip_get_header_pointer(reader.get(), &header));
-  laszip_point* record = nullptr;
-  reader.require(laszip_get_point_pointer(reader.get(), &record));
-  const laszip_U64 count = header->number_of_point_records > 0
-                               ? header->number_of_point_records
-                               : header->extended_number_of_point_records;
-  if (count > INT_MAX) refuse_scan(path, "announces more points than a scan may have");
+  const LasHeader header = read_las_header(bytes, path);
+  if (!header.compressed) return read_las(bytes, path);
+  if (header.count > INT_MAX) refuse_scan(path, "announces more points than a scan may have");
+  require_chunk_table(bytes, header, path);
+  LazPoints points(bytes, path);
+  points.open();
   Scan scan;
   std::vector<int>& classes = scan.labels["class"];
-  // No reserve: compressed, any number of points might be true.
-  for (laszip_U64 i = 0; i < count; ++i) {
-    Eigen::Vector3d point;
-    reader.require(laszip_read_point(reader.get()));
-    reader.require(laszip_get_coordinates(reader.get(), point.data()));
-    scan.points.push_back(point);
-    classes.push_back(header->point_data_format > 5 ? int{record->extended_classification}
-                                                    : int{record->classification});
+  // Without reserving: a compressed file of any size might hold any number of points.
+  for (size_t i = 0; i < header.count; ++i) {
+    points.next(&scan.points.emplace_back(), &classes.emplace_back(), header.format > 5);
   }
   return finish_scan(std::move(scan), path);
 }
