@@ -53,7 +53,8 @@ class CarBuilder {
       const double y = (1.0 - 2.0 * s) * line.y();
       const double bow = bow_from + t * (bow_to - bow_from);
       Vector3d at(line.x() - bow * arch(s), y, line.z());
-      return at + (crown * arch(s) + bulge * arch(t)) * normal;
+      // Straight where the sides are, so that the panels meet them.
+      return at + arch(s) * (crown + bulge * arch(t)) * normal;
     });
   }
 
@@ -85,6 +86,10 @@ class CarBuilder {
       add_cross_panel(boot, {c_.rear_window_end, half, c_.boot_height},
                       {c_.length, end, c_.boot_height - 0.03}, 0.5 * c_.crown, 0.5 * c_.bulge, 0.0,
                       -c_.bow, 2);
+    }
+    if (!c_.boot) {  // the ledge from the rear window to the rear
+      add_cross_panel(kTouching, {c_.rear_window_end, half_belt(), c_.boot_height},
+                      {c_.length, end, c_.boot_height}, 0.0, 0.0, 0.0, -c_.bow, 1);
     }
     add_end(rear, c_.boot ? c_.boot_height - 0.03 : c_.boot_height, c_.length, -1.0, end);
   }
@@ -258,14 +263,28 @@ class CarBuilder {
       if (std::max(tread[i].z(), tread[i + 1].z()) > c_.sill + 0.05) continue;
       builder_.add_face(kTouching, {tread[i + 1], tread[i], behind[i], behind[i + 1]});
     }
-    // The arch's lining, from the body inwards.
+    // The arch's lining from the body inwards, and the dark gap between it and the wheel.
     const std::vector<Vector2d> arch_points = arch_of(axle);
+    const double deep = -half_width() + 0.04;
+    SurfaceBuilder::Ring rim_line, gap_line, wheel_line;
+    for (const Vector2d& p : arch_points) {
+      const Vector2d hub(axle, r);
+      const Vector2d q = hub + r * (p - hub).normalized();
+      rim_line.push_back({p.x(), -half_width(), p.y()});
+      gap_line.push_back({p.x(), deep, p.y()});
+      wheel_line.push_back({q.x(), deep, q.y()});
+    }
+    add_loft(&builder_, structure, rim_line, gap_line);
+    const int gap = builder_.add_detail(structure);
     for (size_t i = 0; i + 1 < arch_points.size(); ++i) {
-      const Vector2d &a = arch_points[i], &b = arch_points[i + 1];
-      builder_.add_face(structure, {{a.x(), -half_width(), a.y()},
-                                    {b.x(), -half_width(), b.y()},
-                                    {b.x(), -half_width() + 0.06, b.y()},
-                                    {a.x(), -half_width() + 0.06, a.y()}});
+      builder_.add_polygon(gap, {gap_line[i], gap_line[i + 1], wheel_line[i + 1], wheel_line[i]});
+    }
+    // The tyre from its outside to the gap.
+    const int last = static_cast<int>(arch_points.size()) - 1;
+    for (int i = 0; i < last; ++i) {
+      const Vector3d out(0.0, y - deep, 0.0);
+      builder_.add_face(structure, {wheel_line[i], wheel_line[i + 1], wheel_line[i + 1] + out,
+                                    wheel_line[i] + out});
     }
   }
 

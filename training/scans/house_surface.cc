@@ -1,6 +1,7 @@
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/solid/house_solids.h>
 #include <gable/grammar/synthesis/prior.h>
+#include <gable/grammar/synthesis/rectangle.h>
 #include <gable/training/scans/house_surface.h>
 #include <gable/training/scans/surface_builder.h>
 #include <gable/training/scans/surface_shapes.h>
@@ -18,8 +19,10 @@ using Eigen::Vector3d;
 
 /// Roofs of components whose middle heights differ by less than this are one top in LOD1, metres.
 constexpr double kOneTop = 1.5;
-/// Narrower walls between two others are no walls of LOD1, metres.
-constexpr double kWallWidth = 2.0;
+/// Smaller walls, and those of garages, are no walls of LOD1 by themselves, square metres.
+constexpr double kLargeWall = 16.0;
+/// Smaller blocks have no top of their own in LOD1, square metres.
+constexpr double kLargeBlock = 25.0;
 /// A contact of details, metres.
 constexpr double kContact = 0.02;
 
@@ -69,6 +72,14 @@ class HouseBuilder {
     return sum.normalized();
   }
 
+  static double area_of(const SurfaceBuilder::Ring& ring) {
+    Vector3d sum = Vector3d::Zero();
+    for (size_t i = 1; i + 1 < ring.size(); ++i) {
+      sum += (ring[i] - ring[0]).cross(ring[i + 1] - ring[0]);
+    }
+    return 0.5 * sum.norm();
+  }
+
   static Vector3d mean_of(const SurfaceBuilder::Ring& ring) {
     Vector3d sum = Vector3d::Zero();
     for (const Vector3d& p : ring) sum += p;
@@ -88,7 +99,12 @@ class HouseBuilder {
     double last = -1e9;
     int hull = -1;
     for (const auto& [top, block] : tops) {
-      if (stands_on_roof(field_.sources()[block].role)) continue;
+      if (field_.sources()[block].role != BlockRole::kComponent) continue;
+      const Rectangle plan = rectangle_of(field_.blocks()[block]);
+      if (plan.area() < kLargeBlock) {
+        top_of_block_[block] = kTouching;
+        continue;
+      }
       if (top - last > kOneTop) hull = builder_.add_hull();
       last = top;
       top_of_block_[block] = hull;
@@ -99,9 +115,8 @@ class HouseBuilder {
                 const std::vector<SurfaceBuilder::Ring>& holes) {
     int structure = kTouching;
     if (role == PartRole::kDormer) structure = builder_.add_structure();
-    if (role == PartRole::kMain || role == PartRole::kGarage) {
-      structure = builder_.add_structure(top_under(ring));
-    }
+    if (role == PartRole::kGarage) structure = builder_.add_structure();
+    if (role == PartRole::kMain) structure = builder_.add_structure(top_under(ring));
     const int detail = builder_.add_face(structure, ring, holes);
     if (role == PartRole::kChimney || role == PartRole::kDormer || overhang_ == 0.0) return;
     for (size_t i = 0; i < ring.size(); ++i) {
@@ -155,6 +170,8 @@ class HouseBuilder {
     builder_.add_polygon(roof, {from, from + out, to + out, to});
     builder_.add_face(structure, {from + out, from + out + drop, to + out + drop, to + out});
     builder_.add_face(structure, {from + drop, to + drop, to + out + drop, from + out + drop});
+    builder_.add_face(structure, {from, from + drop, from + out + drop, from + out});
+    builder_.add_face(structure, {to, to + out, to + out + drop, to + drop});
   }
 
   void add_wall(PartRole role, const SurfaceBuilder::Ring& ring,
@@ -176,7 +193,7 @@ class HouseBuilder {
       add_dormer_wall(ring, holes, normal, along, left, right, low);
       return;
     }
-    const bool of_hull = low < 0.5 && right - left > kWallWidth;
+    const bool of_hull = role == PartRole::kMain && low < 0.5 && area_of(ring) > kLargeWall;
     const int structure = builder_.add_structure(of_hull ? builder_.add_hull() : kTouching);
     if (low > 0.5 || !holes.empty() || right - left < 1.5) {
       builder_.add_face(structure, ring, holes);
@@ -275,15 +292,36 @@ LabelledSurface house_surface(const House& house, Random* random) {
   return builder.build();
 }
 
+namespace {
+
+/// Puts the house on higher walls under flatter roofs: heights above the ground become
+/// lift + scale * height, those of garages stay. Merging by RMS distance joins the slopes of a roof
+/// before it joins a slope to the wall under it only where walls are high and roofs are not steep;
+/// elsewhere it never passes LOD1.
+void raise(double lift, double scale, House* house) {
+  for (Rule& roof : house->roofs) {
+    using namespace param::roof;
+    roof[kEaves] = lift + scale * roof[kEaves];
+    roof[kRise] *= scale;
+  }
+  for (Rule& dormer : house->dormers) {
+    using namespace param::dormer;
+    dormer[kEaves] = lift + scale * dormer[kEaves];
+    dormer[kRise] *= scale;
+  }
+  for (Rule& chimney : house->chimneys) {
+    using namespace param::chimney;
+    chimney[kHeight] = lift + scale * chimney[kHeight];
+  }
+}
+
+}  // namespace
+
 LabelledSurface random_house_surface(Random* random) {
   PriorOptions options;
   options.dormer_share = 0.5;
   House house = random_house(random, options);
-  // Lower chimneys than the prior's: in merging, high ones outlive dormers.
-  for (Rule& chimney : house.chimneys) {
-    using namespace param::chimney;
-    chimney[kHeight] -= random->uniform(0.3, 0.6);
-  }
+  raise(random->uniform(1.5, 4.0), random->uniform(0.45, 0.7), &house);
   return house_surface(house, random);
 }
 

@@ -87,14 +87,12 @@ class Room {
     const int structure = room_plane();
     add_panel(&builder_, structure, origin, u, Vector3d::UnitZ(),
               {{0.0, 0.0}, {length, 0.0}, {length, z}, {0.0, z}}, recesses);
-    if (!door && random_->chance(0.5)) {  // a picture
-      const double a = length - random_->uniform(0.7, 1.1);
-      place(*wall, 0.0);
-      const Eigen::Affine3d pose = builder_.pose();
-      add_box(&builder_, {length - a - 0.25, -0.03, 1.4}, {length - a + 0.25, 0.0, 1.9}, structure,
+    if (!door && !window && random_->chance(0.6)) {  // a picture
+      const double middle = 0.35 + random_->uniform(0.3, 0.6);
+      place(*wall, length);
+      add_box(&builder_, {middle - 0.25, -0.03, 1.4}, {middle + 0.25, 0.0, 1.9}, structure,
               {kBack});
       builder_.set_pose(Eigen::Affine3d::Identity());
-      (void)pose;
     }
   }
 

@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Curve = std::vector<Vector2d>;
 
-constexpr double kContact = 0.006;  // metres
+constexpr double kContact = 0.016;  // metres
 
 /// Points of an arc about `center` from angle `from` to `to` (radians), `steps` chords.
 void append_arc(Curve* curve, const Vector2d& center, double radius, double from, double to,
@@ -68,6 +68,10 @@ class SofaBuilder {
     back_ = builder_.add_structure(back_hull_);
     back_top_ = builder_.add_structure(back_hull_);
     rear_ = builder_.add_structure(rear_hull_);
+    for (int side : {0, 1}) {
+      side_hull_[side] = builder_.add_hull();
+      outer_[side] = builder_.add_structure(side_hull_[side]);
+    }
   }
 
   LabelledSurface build() {
@@ -96,15 +100,12 @@ class SofaBuilder {
     add_strips(&builder_, structure, points, {length, 0.0, 0.0});
   }
 
-  /// The two ends of what sweep_x made of a curve, closed by its chord.
-  void cap_x(const Curve& curve, double x, double length, int structure) {
-    SurfaceBuilder::Ring left, right;
-    for (const Vector2d& p : curve) {
-      right.push_back({x + length, p.x(), p.y()});
-      left.insert(left.begin(), {x, p.x(), p.y()});
-    }
-    builder_.add_face(structure, right);
-    builder_.add_face(structure, left);
+  /// The end of what sweep_x made of a curve, closed by its chord, looking to -x or +x.
+  void cap_x(const Curve& curve, double x, bool right, int structure) {
+    SurfaceBuilder::Ring ring;
+    for (const Vector2d& p : curve) ring.push_back({x, p.x(), p.y()});
+    if (!right) std::reverse(ring.begin(), ring.end());
+    builder_.add_face(structure, ring);
   }
 
   void add_seat() {
@@ -121,7 +122,8 @@ class SofaBuilder {
       const double x = s_.arm_width + i * width + 0.5 * gap;
       sweep_x(curve, x, width - gap, front_, seat_);
       curve.push_back({rear, s_.base});
-      if (s_.seats > 1 || !s_.arms) cap_x(curve, x, width - gap, kTouching);
+      if (!s_.arms && i == 0) cap_x(curve, x, false, outer_[0]);
+      if (!s_.arms && i + 1 == s_.seats) cap_x(curve, x + width - gap, true, outer_[1]);
     }
   }
 
@@ -165,7 +167,8 @@ class SofaBuilder {
       for (const Vector2d& p : curve) points.push_back({x, p.x(), p.y()});
       add_strips(&builder_, {kTouching, back_, back_, back_, kTouching, kTouching}, points,
                  {width - gap, 0.0, 0.0});
-      cap_x(curve, x, width - gap, kTouching);
+      if (i == 0) cap_x(curve, x, false, kTouching);
+      if (i + 1 == s_.seats) cap_x(curve, x + width - gap, true, kTouching);
     }
   }
 
@@ -185,8 +188,7 @@ class SofaBuilder {
       mirror.translation().x() = s_.width;
       builder_.set_pose(mirror);
     }
-    const int hull = builder_.add_hull();
-    const int outer = builder_.add_structure(hull);
+    const int hull = side_hull_[right], outer = outer_[right];
     // The end of the back's frame.
     SurfaceBuilder::Ring end;
     for (const Vector2d& p : frame_) end.insert(end.begin(), {0.0, p.x(), p.y()});
@@ -229,9 +231,9 @@ class SofaBuilder {
   }
 
   void add_legs() {
-    const double side = 0.05, margin = 0.03;
-    for (double x : {margin, s_.width - margin - side}) {
-      for (double y : {margin, s_.depth - margin - side}) {
+    const double side = 0.05, front = s_.arms ? 0.0 : 0.015;
+    for (double x : {0.0, s_.width - side}) {
+      for (double y : {front, s_.depth - side}) {
         add_box(&builder_, {x, y, 0.0}, {x + side, y + side, s_.leg}, kTouching, {kTop, kBottom});
       }
     }
@@ -242,6 +244,7 @@ class SofaBuilder {
   Curve frame_;
   int seat_hull_, back_hull_, rear_hull_;
   int seat_, front_, back_, back_top_, rear_;
+  int side_hull_[2], outer_[2];  // left, right
 };
 
 }  // namespace
