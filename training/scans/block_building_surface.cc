@@ -14,6 +14,8 @@ using Eigen::Vector3d;
 using Plan = std::vector<Vector2d>;
 
 constexpr double kContact = 0.03;  // metres
+/// Shorter walls are no walls of LOD1 by themselves, metres.
+constexpr double kLongWall = 6.5;
 
 /// A rectilinear plan, anticlockwise.
 Plan random_plan(Random* random) {
@@ -102,7 +104,7 @@ class BlockBuilding {
       const Vector2d a = plan[i], b = plan[(i + 1) % plan.size()];
       const double length = (b - a).norm();
       const Vector3d along((b - a).x() / length, (b - a).y() / length, 0.0);
-      const bool of_hull = base == 0.0 && length > 2.0;
+      const bool of_hull = base == 0.0 && length > kLongWall;
       const int structure = builder_.add_structure(of_hull ? builder_.add_hull() : kTouching);
       const std::vector<Vector2d> outline = {
           {0.0, 0.0}, {length, 0.0}, {length, rise + style_.parapet}, {0.0, rise + style_.parapet}};
@@ -164,10 +166,10 @@ class BlockBuilding {
 LabelledSurface random_block_building_surface(Random* random) {
   BlockBuilding building(random);
   const Plan plan = random_plan(random);
-  const int storeys = random->integer(2, 7);
+  const int storeys = random->integer(3, 7);
   const double top = storeys * building.storey();
   const double margin = random->uniform(1.6, 2.6);
-  if (random->chance(0.4)) {
+  if (plan.size() == 4 && storeys > 3 && random->chance(0.6)) {
     const Plan above = inset(plan, margin);
     building.add_level(plan, 0.0, storeys, above);
     building.add_level(above, top, 1, {});

@@ -5,7 +5,7 @@
 
 namespace gable {
 
-/// A random flat-roofed building of 2 to 8 storeys over an I, L, U, T or Z. Hull: its walls and one
+/// A random flat-roofed building of 3 to 8 storeys over an I, L, U, T or Z. Hull: its walls and one
 /// top; structure: storeys set back and lift housings too; detail: recesses of windows, balconies,
 /// parapets.
 LabelledSurface random_block_building_surface(Random* random);

@@ -321,7 +321,8 @@ LabelledSurface random_house_surface(Random* random) {
   PriorOptions options;
   options.dormer_share = 0.5;
   House house = random_house(random, options);
-  raise(random->uniform(1.5, 4.0), random->uniform(0.45, 0.7), &house);
+  const bool wings = house.foundation == Foundation::kL || house.foundation == Foundation::kU;
+  raise(random->uniform(2.5, 5.5), random->uniform(0.35, wings ? 0.5 : 0.65), &house);
   return house_surface(house, random);
 }
 

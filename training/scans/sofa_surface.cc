@@ -64,13 +64,12 @@ class SofaBuilder {
     back_hull_ = builder_.add_hull();
     rear_hull_ = builder_.add_hull();
     seat_ = builder_.add_structure(seat_hull_);
-    front_ = builder_.add_structure(seat_hull_);
+    front_ = builder_.add_structure();
     back_ = builder_.add_structure(back_hull_);
-    back_top_ = builder_.add_structure(back_hull_);
+    back_top_ = builder_.add_structure();
     rear_ = builder_.add_structure(rear_hull_);
     for (int side : {0, 1}) {
-      side_hull_[side] = builder_.add_hull();
-      outer_[side] = builder_.add_structure(side_hull_[side]);
+      outer_[side] = builder_.add_structure(builder_.add_hull());
     }
   }
 
@@ -136,6 +135,18 @@ class SofaBuilder {
     append_arc(&curve, {front + s_.radius, top - s_.radius}, s_.radius, M_PI, 0.5 * M_PI, s_.steps);
     append_arc(&curve, {rear - s_.radius, top - s_.radius}, s_.radius, 0.5 * M_PI, 0.0, s_.steps);
     Curve front_side(curve.begin(), curve.begin() + s_.steps + 2);
+    if (s_.cushions_behind) {
+      // Cushions hide the frame's front, but for its ends over the arms.
+      const Vector2d low = front_side[0], high = front_side[1];
+      const double share = (s_.arm_height - low.y()) / (high.y() - low.y());
+      const Curve over_arm = {low + share * (high - low), high};
+      if (s_.arms) {
+        for (double x : {0.0, s_.width - s_.arm_width}) {
+          sweep_x(over_arm, x, s_.arm_width, back_, back_top_);
+        }
+      }
+      front_side.erase(front_side.begin());
+    }
     Curve rear_side(curve.begin() + s_.steps + 1, curve.end());
     rear_side.push_back({rear, s_.leg});
     sweep_x(front_side, 0.0, s_.width, back_, back_top_);
@@ -148,7 +159,7 @@ class SofaBuilder {
 
   void add_back_cushions(double frame_front) {
     const double gap = 0.012, width = inner_width() / s_.seats;
-    const double low = s_.seat_height + 0.01, high = s_.back_height - 0.03;
+    const double low = s_.seat_height + 0.01, high = s_.back_height - s_.radius;
     const double thick = 0.07, lean = s_.lean;
     const auto at = [&](double share, double out) {
       return Vector2d(frame_front - lean * (1.0 - share) - out, low + share * (high - low));
@@ -188,14 +199,14 @@ class SofaBuilder {
       mirror.translation().x() = s_.width;
       builder_.set_pose(mirror);
     }
-    const int hull = side_hull_[right], outer = outer_[right];
+    const int outer = outer_[right];
     // The end of the back's frame.
     SurfaceBuilder::Ring end;
     for (const Vector2d& p : frame_) end.insert(end.begin(), {0.0, p.x(), p.y()});
     builder_.add_face(outer, end);
     if (s_.arms) {
-      const int inner = builder_.add_structure(hull), top = builder_.add_structure(hull);
-      const int face = builder_.add_structure(hull);
+      const int inner = builder_.add_structure(), top = builder_.add_structure();
+      const int face = builder_.add_structure();
       const double r = std::min(s_.radius * 1.2, 0.45 * s_.arm_width), w = s_.arm_width;
       // Across the arm, in x and z, from outside over the top to the inside.
       Curve curve = {{0.0, s_.leg}};
@@ -244,7 +255,7 @@ class SofaBuilder {
   Curve frame_;
   int seat_hull_, back_hull_, rear_hull_;
   int seat_, front_, back_, back_top_, rear_;
-  int side_hull_[2], outer_[2];  // left, right
+  int outer_[2];  // left, right
 };
 
 }  // namespace
