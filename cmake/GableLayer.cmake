@@ -2,7 +2,7 @@
 # The build tree gets an include folder whose links point back at the floors.
 set(GABLE_INCLUDE_DIR ${PROJECT_BINARY_DIR}/include)
 file(MAKE_DIRECTORY ${GABLE_INCLUDE_DIR}/gable)
-foreach(floor grammar residuals engine)
+foreach(floor grammar residuals engine training)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${floor} ${GABLE_INCLUDE_DIR}/gable/${floor} SYMBOLIC)
 endforeach()
 
