@@ -61,16 +61,17 @@ class Numbering {
 };
 
 BuildingSurface building_surface(const CityJsonObject& object, const Solid& detail,
-                                 const Solid& hull, const std::vector<int>& plane_of,
-                                 const CoplanarTolerance& tolerance) {
-  const std::vector<int> hull_plane_of = coplanar_faces(hull, tolerance);
+                                 const Solid& hull, const CityJsonSurfaceOptions& options) {
+  const std::vector<int> detail_plane = coplanar_faces(detail, options.coplanar);
+  const std::vector<int> structure_plane = coplanar_faces(detail, options.structure);
+  const std::vector<int> hull_plane = coplanar_faces(hull, options.coplanar);
   const HullFaces hull_faces(hull);
   BuildingSurface building;
   building.id = object.id;
   building.origin = object.origin;
   LabelledSurface& surface = building.surface;
   surface.vertices = detail.vertices;
-  Numbering planes, hull_planes;
+  std::array<Numbering, kNumKnownScales> numbering;
   for (size_t i = 0; i < detail.faces.size(); ++i) {
     const Face& face = detail.faces[i];
     const FacePlane plane = face_plane(detail, face);
@@ -78,14 +79,14 @@ BuildingSurface building_surface(const CityJsonObject& object, const Solid& deta
       Eigen::Vector3d centre = Eigen::Vector3d::Zero();
       for (const int corner : triangle) centre += detail.vertices[corner] / 3.0;
       const int hull_face = hull_faces.face_for(face.type, centre, plane.normal);
-      const int number = planes(plane_of[i]);
+      std::array<int, kNumKnownScales> planes = {detail_plane[i], structure_plane[i],
+                                                 hull_face < 0 ? -1 : hull_plane[hull_face]};
+      for (int k = 0; k < kNumKnownScales; ++k) planes[k] = numbering[k](planes[k]);
       surface.triangles.push_back(triangle);
-      surface.planes.push_back(
-          {number, number, hull_planes(hull_face < 0 ? -1 : hull_plane_of[hull_face])});
+      surface.planes.push_back(planes);
     }
   }
-  building.num_planes = planes.size();
-  building.num_hull_planes = hull_planes.size();
+  for (int k = 0; k < kNumKnownScales; ++k) building.num_planes[k] = numbering[k].size();
   return building;
 }
 
@@ -103,13 +104,12 @@ CityJsonSurfaces read_cityjson_surfaces(const std::string& path,
       ++result.invalid;
       continue;
     }
-    const std::vector<int> plane_of = coplanar_faces(detail->second, options.coplanar);
-    if (*std::max_element(plane_of.begin(), plane_of.end()) + 1 < options.least_planes) {
+    BuildingSurface building = building_surface(object, detail->second, hull->second, options);
+    if (building.num_planes[1] < options.least_planes) {
       ++result.too_simple;
       continue;
     }
-    result.buildings.push_back(
-        building_surface(object, detail->second, hull->second, plane_of, options.coplanar));
+    result.buildings.push_back(std::move(building));
   }
   if (result.with_both_levels == 0) {
     throw Error(ExitCode::kBadInput, path + ": no building has geometry at levels of detail " +

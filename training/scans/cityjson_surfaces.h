@@ -4,6 +4,7 @@
 #include <gable/training/scans/labelled_surface.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace gable {
 struct CityJsonSurfaceOptions {
   std::string detail_level = "2.2";  ///< the surface, and its planes at scales 1 and 2
   std::string hull_level = "1.2";    ///< the planes at scale 3
-  int least_planes = 5;              ///< of the detailed level, >= 1
-  CoplanarTolerance coplanar;        ///< which polygons are one plane
+  CoplanarTolerance coplanar;        ///< which polygons are one plane at scale 1 and in the hull
+  CoplanarTolerance structure;       ///< which polygons are one plane at scale 2
+  int least_planes = 5;              ///< at scale 2, >= 1
 };
 
 /// A building as a surface whose triangles know their planes.
@@ -22,8 +24,7 @@ struct BuildingSurface {
   std::string id;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< of the surface's frame, in the file's CRS
   LabelledSurface surface;
-  int num_planes = 0;       ///< at scales 1 and 2
-  int num_hull_planes = 0;  ///< at scale 3
+  std::array<int, kNumKnownScales> num_planes{};  ///< per scale, from the finest
 };
 
 struct CityJsonSurfaces {

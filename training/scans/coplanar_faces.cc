@@ -10,7 +10,8 @@ namespace {
 
 bool lies_in(const FacePlane& plane, const Solid& solid, const Face& face,
              const FacePlane& face_own_plane, const CoplanarTolerance& tolerance) {
-  const double least_cosine = std::cos(tolerance.angle_deg * M_PI / 180.0);
+  // Less a rounding error, so that 90 degrees takes in faces at right angles.
+  const double least_cosine = std::cos(tolerance.angle_deg * M_PI / 180.0) - 1e-9;
   if (plane.normal.dot(face_own_plane.normal) < least_cosine) return false;
   for (const std::vector<int>& ring : face.rings) {
     for (const int corner : ring) {

@@ -6,7 +6,8 @@
 
 namespace gable {
 
-/// When touching faces count as one plane.
+/// When touching faces count as one plane. With an angle of 90 degrees the offset alone decides, so
+/// that the risers of small steps are taken in and what they join is one plane.
 struct CoplanarTolerance {
   double angle_deg = 1.0;  ///< between outward normals
   double offset = 0.02;    ///< of every corner from the plane of the largest face, metres

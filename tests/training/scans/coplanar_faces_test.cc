@@ -44,5 +44,18 @@ TEST(CoplanarFaces, ComparesTheCornersWithTheLargestFacesPlane) {
   EXPECT_THAT(coplanar_faces(strips({0, 0.5, 0.5, 0.5})), ElementsAre(0, 0, 0, 1));
 }
 
+TEST(CoplanarFaces, AWideAngleTakesInStepsThatAreLowerThanTheOffset) {
+  // A kerb of 2 cm between two flat strips, and one of 10 cm.
+  Solid solid = strips({0, 90, 0, 90, 0});
+  for (size_t i = 4; i < solid.vertices.size(); ++i) solid.vertices[i].z() *= 0.02;
+  for (size_t i = 8; i < solid.vertices.size(); ++i) solid.vertices[i].z() += 0.08;
+  CoplanarTolerance wide;
+  wide.angle_deg = 90.0;
+  wide.offset = 0.05;
+  EXPECT_THAT(coplanar_faces(solid, wide), ElementsAre(0, 0, 0, 1, 2));
+  wide.angle_deg = 1.0;
+  EXPECT_THAT(coplanar_faces(solid, wide), ElementsAre(0, 1, 2, 3, 4));
+}
+
 }  // namespace
 }  // namespace gable
