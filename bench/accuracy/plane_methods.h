@@ -8,9 +8,11 @@
 
 namespace gable {
 
-/// A detector of planes that is compared with others.
+/// A detector of planes that is compared with others. The best of all settings and tolerances of
+/// one name counts.
 struct PlaneMethod {
   std::string name;
+  std::string setting;  ///< for the table; may be empty
   /// The tolerances to try, % of the diagonal of the points' bounding box; {0} for a method that
   /// has none to choose.
   std::vector<double> epsilons_percent;
