@@ -1,10 +1,11 @@
 #include <gable/engine/io/atomic_file.h>
 #include <gable/engine/io/number_text.h>
 #include <gable/engine/io/polygon_obj.h>
-#include <gable/grammar/solid/triangulate.h>
+#include <gable/engine/io/ring_triangles.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace gable {
 namespace {
@@ -36,44 +37,51 @@ void append_face(const Corners& corners, size_t offset, std::string* text) {
   *text += '\n';
 }
 
-/// The rings as a face of a solid that has nothing else.
-Solid as_solid(const SpacePolygon& polygon) {
-  Solid solid;
-  Face& face = solid.faces.emplace_back();
-  const auto add = [&](const std::vector<Eigen::Vector3d>& ring) {
-    auto& indices = face.rings.emplace_back();
-    for (const Eigen::Vector3d& p : ring) {
-      indices.push_back(static_cast<int>(solid.vertices.size()));
-      solid.vertices.push_back(p);
+/// The rings as seen against the plane's normal.
+std::vector<std::vector<Eigen::Vector2d>> flattened(
+    const std::vector<const std::vector<Eigen::Vector3d>*>& rings, const Eigen::Vector3d& normal) {
+  int drop = 0;  // the axis they are seen along
+  normal.cwiseAbs().maxCoeff(&drop);
+  int u = (drop + 1) % 3, v = (drop + 2) % 3;
+  if (normal[drop] < 0.0) std::swap(u, v);
+  const Eigen::Vector3d& origin = rings[0]->front();
+  std::vector<std::vector<Eigen::Vector2d>> out(rings.size());
+  for (size_t i = 0; i < rings.size(); ++i) {
+    for (const Eigen::Vector3d& p : *rings[i]) {
+      out[i].emplace_back(p[u] - origin[u], p[v] - origin[v]);
     }
-  };
-  add(polygon.outer);
-  for (const auto& hole : polygon.holes) {
-    if (hole.size() >= 3) add(hole);
   }
-  return solid;
+  return out;
 }
 
-void append_polygon(const SpacePolygon& polygon, const Eigen::Vector3d& origin,
-                    size_t* num_vertices, std::string* text) {
-  const Solid solid = as_solid(polygon);
-  for (const Eigen::Vector3d& vertex : solid.vertices) {
-    *text += 'v';
-    for (const double value : vertex - origin) {
-      *text += ' ';
-      append_number(value, text);
-    }
-    *text += '\n';
+void append_polygon(const SpacePolygon& polygon, const Eigen::Vector3d& normal,
+                    const Eigen::Vector3d& origin, size_t* num_vertices, std::string* text) {
+  std::vector<const std::vector<Eigen::Vector3d>*> rings = {&polygon.outer};
+  for (const auto& hole : polygon.holes) {
+    if (hole.size() >= 3) rings.push_back(&hole);
   }
-  const Face& face = solid.faces[0];
-  if (face.rings.size() == 1) {
-    append_face(face.rings[0], *num_vertices, text);
+  size_t size = 0;
+  for (const auto* ring : rings) {
+    for (const Eigen::Vector3d& vertex : *ring) {
+      *text += 'v';
+      for (const double value : vertex - origin) {
+        *text += ' ';
+        append_number(value, text);
+      }
+      *text += '\n';
+    }
+    size += ring->size();
+  }
+  if (rings.size() == 1) {
+    std::vector<int> corners(size);
+    std::iota(corners.begin(), corners.end(), 0);
+    append_face(corners, *num_vertices, text);
   } else {
-    for (const auto& triangle : triangulate(solid, face)) {
+    for (const auto& triangle : triangulate_rings(flattened(rings, normal))) {
       append_face(triangle, *num_vertices, text);
     }
   }
-  *num_vertices += solid.vertices.size();
+  *num_vertices += size;
 }
 
 }  // namespace
@@ -92,7 +100,8 @@ std::string polygon_obj(const ScaleShapes& shapes) {
     if (polygons.empty()) continue;
     text += "g shape_" + std::to_string(i) + "\n";
     for (const SpacePolygon& polygon : polygons) {
-      if (polygon.outer.size() >= 3) append_polygon(polygon, origin, &num_vertices, &text);
+      if (polygon.outer.size() < 3) continue;
+      append_polygon(polygon, shapes.shapes[i].plane.normal(), origin, &num_vertices, &text);
     }
   }
   return text;
