@@ -1,5 +1,7 @@
 #include <gable/training/scans/car_shape.h>
 
+#include <algorithm>
+
 namespace gable {
 
 CarShape random_car_shape(Random* random) {
@@ -12,7 +14,7 @@ CarShape random_car_shape(Random* random) {
   c.wheel = random->uniform(0.29, 0.33) + 0.3 * lift;
   c.crease = 2.0 * c.wheel + random->uniform(0.1, 0.14) + 0.5 * lift;
   c.belt = c.crease + random->uniform(0.16, 0.24);
-  c.nose = c.belt - random->uniform(0.16, 0.24);
+  c.nose = std::max(c.crease + 0.01, c.belt - random->uniform(0.12, 0.22));
   c.roof = c.belt + random->uniform(0.42, 0.52);
   c.front_axle = c.length * random->uniform(0.17, 0.2);
   c.bonnet_end = c.length * random->uniform(0.25, 0.29);

@@ -25,7 +25,7 @@ void append_arc(Curve* curve, const Vector2d& center, double radius, double from
 }
 
 struct Sofa {
-  double width, depth, seat_height, seat_depth, base, back_height, back_width, lean;
+  double width, depth, seat_height, base, back_height, back_width, lean;
   double arm_width, arm_height;
   int seats;
   bool arms, cushions_behind;
@@ -44,7 +44,6 @@ Sofa draw(Random* random) {
   s.depth = random->uniform(0.82, 1.0);
   s.seat_height = random->uniform(0.38, 0.46);
   s.back_width = random->uniform(0.16, 0.24);
-  s.seat_depth = s.depth - s.back_width - random->uniform(0.08, 0.14);
   s.leg = random->uniform(0.05, 0.12);
   s.base = s.leg + random->uniform(0.1, 0.15);
   s.back_height = s.seat_height + random->uniform(0.36, 0.5);
@@ -108,8 +107,8 @@ class SofaBuilder {
   }
 
   void add_seat() {
-    const double gap = 0.012, width = inner_width() / s_.seats;
-    const double front = 0.0, rear = s_.seat_depth + 0.02;
+    const double gap = 0.006, width = inner_width() / s_.seats;
+    const double front = 0.0, rear = s_.depth - s_.back_width - s_.lean;
     for (int i = 0; i < s_.seats; ++i) {
       Curve curve = {{front, s_.base + 0.005}};
       append_arc(&curve, {front + s_.radius, s_.seat_height - s_.radius}, s_.radius, M_PI,
@@ -158,9 +157,9 @@ class SofaBuilder {
   }
 
   void add_back_cushions(double frame_front) {
-    const double gap = 0.012, width = inner_width() / s_.seats;
+    const double gap = 0.006, width = inner_width() / s_.seats;
     const double low = s_.seat_height + 0.01, high = s_.back_height - s_.radius;
-    const double thick = 0.07, lean = s_.lean;
+    const double thick = 0.05, lean = s_.lean;
     const auto at = [&](double share, double out) {
       return Vector2d(frame_front - lean * (1.0 - share) - out, low + share * (high - low));
     };
@@ -188,7 +187,7 @@ class SofaBuilder {
     const double x0 = s_.arm_width, x1 = s_.width - s_.arm_width;
     builder_.add_face(
         front_,
-        {{x0, 0.015, s_.leg}, {x1, 0.015, s_.leg}, {x1, 0.015, s_.base}, {x0, 0.015, s_.base}});
+        {{x0, 0.008, s_.leg}, {x1, 0.008, s_.leg}, {x1, 0.008, s_.base}, {x0, 0.008, s_.base}});
   }
 
   void add_side(bool right) {
@@ -234,15 +233,15 @@ class SofaBuilder {
       builder_.add_face(face, cap);
     } else {
       builder_.add_face(outer, {{0.0, s_.depth - s_.back_width, s_.leg},
-                                {0.0, 0.015, s_.leg},
-                                {0.0, 0.015, s_.base},
+                                {0.0, 0.008, s_.leg},
+                                {0.0, 0.008, s_.base},
                                 {0.0, s_.depth - s_.back_width, s_.base}});
     }
     builder_.set_pose(before);
   }
 
   void add_legs() {
-    const double side = 0.05, front = s_.arms ? 0.0 : 0.015;
+    const double side = 0.05, front = s_.arms ? 0.0 : 0.008;
     for (double x : {0.0, s_.width - side}) {
       for (double y : {front, s_.depth - side}) {
         add_box(&builder_, {x, y, 0.0}, {x + side, y + side, s_.leg}, kTouching, {kTop, kBottom});
