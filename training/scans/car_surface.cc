@@ -110,6 +110,13 @@ class CarBuilder {
                 levels[k] + t * (levels[k + 1] - levels[k])};
       });
     }
+    // The bumper's ends.
+    for (double side : {-1.0, 1.0}) {
+      SurfaceBuilder::Ring ring;
+      for (int k = 1; k < 5; ++k) ring.push_back({x - out * offsets[k], side * half, levels[k]});
+      if (side * out < 0.0) std::reverse(ring.begin(), ring.end());
+      builder_.add_face(structure, ring);
+    }
     // Lights between bumper and bonnet, a plate on the bumper.
     const double z0 = levels[4] + 0.03, z1 = std::min(top - 0.03, z0 + 0.14);
     const double wide = random_->uniform(0.22, 0.34);
@@ -189,6 +196,11 @@ class CarBuilder {
       if (x + 0.2 > c_.rear_axle) continue;
       add_box(&builder_, {x, y - 0.025, c_.crease - 0.05}, {x + 0.16, y + 0.001, c_.crease - 0.015},
               structure, {kBack});
+    }
+    if (c_.boot) {  // from the shoulder up to the boot
+      builder_.add_face(kTouching, {at(c_.rear_window_end * 0.98, c_.belt),
+                                    at(l - rear, boot),
+                                    {c_.rear_window_end, -half_belt(), c_.boot_height}});
     }
     // The shoulder under the windows.
     builder_.add_face(kTouching, {{c_.bonnet_end, top, c_.belt},
