@@ -90,6 +90,9 @@ class BlockBuilding {
  public:
   explicit BlockBuilding(Random* random) : random_(random), top_(builder_.add_hull()) {
     style_.windows = random_window_style(random->uniform(2.8, 3.4), random);
+    // Wider and further apart than those of houses.
+    style_.windows.width *= random->uniform(1.2, 2.0);
+    style_.windows.spacing = style_.windows.width + random->uniform(1.4, 3.0);
     style_.parapet = random->chance(0.75) ? random->uniform(0.3, 0.8) : 0.0;
     style_.parapet_width = random->uniform(0.2, 0.4);
     if (random->chance(0.4)) style_.balcony_side = 0;

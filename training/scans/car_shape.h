@@ -31,7 +31,7 @@ struct CarShape {
   int strips = 4;  ///< of a curved panel, each way
 };
 
-/// A random saloon, hatchback, estate or off-roader.
+/// A random saloon, hatchback, estate, off-roader or van.
 CarShape random_car_shape(Random* random);
 
 }  // namespace gable

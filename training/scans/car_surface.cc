@@ -110,6 +110,13 @@ class CarBuilder {
                 levels[k] + t * (levels[k + 1] - levels[k])};
       });
     }
+    // The bumper's ends.
+    for (double side : {-1.0, 1.0}) {
+      SurfaceBuilder::Ring ring;
+      for (int k = 1; k < 5; ++k) ring.push_back({x - out * offsets[k], side * half, levels[k]});
+      if (side * out < 0.0) std::reverse(ring.begin(), ring.end());
+      builder_.add_face(structure, ring);
+    }
     // Lights between bumper and bonnet, a plate on the bumper.
     const double z0 = levels[4] + 0.03, z1 = std::min(top - 0.03, z0 + 0.14);
     const double wide = random_->uniform(0.22, 0.34);
@@ -165,35 +172,35 @@ class CarBuilder {
     }
     add_panel(&builder_, structure, {0.0, y, 0.0}, Vector3d::UnitX(), Vector3d::UnitZ(), outline,
               insets);
+    const auto at = [&](double x, double z) {
+      return Vector3d(x, y + lean * (z - c_.crease) / (c_.belt - c_.crease), z);
+    };
     const double top = y + lean;
-    builder_.add_face(structure, {{front, y, c_.crease},
-                                  {l - rear, y, c_.crease},
-                                  {l - rear, top, boot},
-                                  {c_.rear_window_end * 0.98, top, c_.belt},
-                                  {c_.bonnet_end, top, c_.belt},
-                                  {front, top, c_.nose + 0.02}});
-    builder_.add_face(structure, {{0.0, end, c_.sill},
-                                  {front, y, c_.sill},
-                                  {front, y, c_.crease},
-                                  {0.0, end, std::min(c_.crease, c_.nose)}});
+    builder_.add_face(structure, {at(front, c_.crease), at(l - rear, c_.crease), at(l - rear, boot),
+                                  at(c_.rear_window_end * 0.98, c_.belt),
+                                  at(c_.bonnet_end, c_.belt), at(front, c_.nose + 0.02)});
+    // The tapered ends.
+    const Vector3d nose(0.0, end, c_.nose), tail(l, end, boot - 0.02);
+    builder_.add_face(
+        structure,
+        {{0.0, end, c_.sill}, {front, y, c_.sill}, {front, y, c_.crease}, {0.0, end, c_.crease}});
+    builder_.add_face(structure, {{0.0, end, c_.crease}, {front, y, c_.crease}, nose});
+    builder_.add_face(structure, {{front, y, c_.crease}, at(front, c_.nose + 0.02), nose});
     builder_.add_face(
         structure,
         {{l - rear, y, c_.sill}, {l, end, c_.sill}, {l, end, c_.crease}, {l - rear, y, c_.crease}});
-    if (c_.nose > c_.crease) {
-      builder_.add_face(
-          structure, {{0.0, end, c_.crease}, {front, y, c_.crease}, {front, top, c_.nose + 0.02}});
-      builder_.add_face(structure,
-                        {{0.0, end, c_.crease}, {front, top, c_.nose + 0.02}, {0.0, end, c_.nose}});
-    }
-    builder_.add_face(structure,
-                      {{l - rear, y, c_.crease}, {l, end, c_.crease}, {l, end, boot - 0.02}});
-    builder_.add_face(structure,
-                      {{l - rear, y, c_.crease}, {l, end, boot - 0.02}, {l - rear, top, boot}});
+    builder_.add_face(structure, {{l - rear, y, c_.crease}, {l, end, c_.crease}, tail});
+    builder_.add_face(structure, {{l - rear, y, c_.crease}, tail, at(l - rear, boot)});
     // Door handles.
     for (double x : {handle - 0.1, handle + 0.75}) {
       if (x + 0.2 > c_.rear_axle) continue;
       add_box(&builder_, {x, y - 0.025, c_.crease - 0.05}, {x + 0.16, y + 0.001, c_.crease - 0.015},
               structure, {kBack});
+    }
+    if (c_.boot) {  // from the shoulder up to the boot
+      builder_.add_face(kTouching, {at(c_.rear_window_end * 0.98, c_.belt),
+                                    at(l - rear, boot),
+                                    {c_.rear_window_end, -half_belt(), c_.boot_height}});
     }
     // The shoulder under the windows.
     builder_.add_face(kTouching, {{c_.bonnet_end, top, c_.belt},

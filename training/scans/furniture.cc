@@ -44,6 +44,37 @@ void add_table(SurfaceBuilder* builder, const Vector3d& size, bool large, Random
   add_things(builder, size.x(), size.y(), size.z(), random);
 }
 
+void add_desk(SurfaceBuilder* builder, const Vector3d& size, bool large, Random* random) {
+  const double thickness = random->uniform(0.025, 0.04), leg = random->uniform(0.04, 0.06);
+  const int top = builder->add_structure(hull_of(builder, large));
+  add_box(builder, {0.0, 0.0, size.z() - thickness}, size, top);
+  // Legs at one end, drawers at the other.
+  for (double y : {0.02, size.y() - 0.02 - leg}) {
+    add_box(builder, {0.02, y, 0.0}, {0.02 + leg, y + leg, size.z() - thickness}, kTouching,
+            {kTop, kBottom});
+  }
+  const double x0 = size.x() - 0.45, x1 = size.x() - 0.03, y0 = 0.05, high = size.z() - thickness;
+  std::array<int, 6> sides;
+  for (int& side : sides) side = builder->add_structure();
+  add_box(builder, {x0, y0, 0.0}, {x1, size.y() - 0.05, high}, sides, {kFront, kTop, kBottom});
+  const int drawers = random->integer(2, 4);
+  std::vector<Recess> fronts;
+  for (int i = 0; i < drawers; ++i) {
+    fronts.push_back(
+        {0.02, x1 - x0 - 0.02, high * i / drawers + 0.02, high * (i + 1) / drawers - 0.02, -0.015});
+  }
+  add_panel(builder, sides[kFront], {x0, y0, 0.0}, Vector3d::UnitX(), Vector3d::UnitZ(),
+            {{0.0, 0.0}, {x1 - x0, 0.0}, {x1 - x0, high}, {0.0, high}}, fronts);
+  // The screen on its foot.
+  const double wide = random->uniform(0.4, 0.6), middle = 0.4 * size.x(), y = size.y() - 0.18;
+  add_box(builder, {middle - 0.1, y - 0.06, size.z()}, {middle + 0.1, y + 0.08, size.z() + 0.02},
+          kTouching, {kBottom});
+  add_box(builder, {middle - 0.03, y + 0.005, size.z() + 0.02},
+          {middle + 0.03, y + 0.035, size.z() + 0.12}, kTouching, {kBottom, kTop});
+  add_box(builder, {middle - 0.5 * wide, y, size.z() + 0.12},
+          {middle + 0.5 * wide, y + 0.04, size.z() + 0.12 + 0.6 * wide}, kTouching);
+}
+
 void add_chair(SurfaceBuilder* builder, const Vector3d& size, Random* random) {
   const double seat = random->uniform(0.42, 0.47), thickness = 0.03, leg = 0.035;
   add_box(builder, {0.0, 0.0, seat - thickness}, {size.x(), size.y(), seat},

@@ -14,6 +14,8 @@ namespace gable {
 /// Planes: the main faces are of the structure; the rest (legs, drawers, handles) belongs to what
 /// it touches. A large piece is one plane of the hull, the others belong to what they touch.
 void add_table(SurfaceBuilder* builder, const Eigen::Vector3d& size, bool large, Random* random);
+/// A table with a screen at its back and a block of drawers under one end.
+void add_desk(SurfaceBuilder* builder, const Eigen::Vector3d& size, bool large, Random* random);
 void add_chair(SurfaceBuilder* builder, const Eigen::Vector3d& size, Random* random);
 void add_cupboard(SurfaceBuilder* builder, const Eigen::Vector3d& size, bool large, Random* random);
 void add_bed(SurfaceBuilder* builder, const Eigen::Vector3d& size, bool large, Random* random);

@@ -1,9 +1,10 @@
 #include <gable/training/scans/plane_attachment.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <tuple>
 
 namespace gable {
 namespace {

@@ -25,7 +25,7 @@ void append_arc(Curve* curve, const Vector2d& center, double radius, double from
 }
 
 struct Sofa {
-  double width, depth, seat_height, seat_depth, base, back_height, back_width, lean;
+  double width, depth, seat_height, base, back_height, back_width, lean;
   double arm_width, arm_height;
   int seats;
   bool arms, cushions_behind;
@@ -33,6 +33,9 @@ struct Sofa {
   int steps;      // chords of a quarter round
   double bulge;   // of cushions
   double leg;
+  double chaise;  // how far the last seat reaches forward; 0: no further than the others
+  bool rolled;    // arms
+  int pillows;
 };
 
 Sofa draw(Random* random) {
@@ -44,7 +47,6 @@ Sofa draw(Random* random) {
   s.depth = random->uniform(0.82, 1.0);
   s.seat_height = random->uniform(0.38, 0.46);
   s.back_width = random->uniform(0.16, 0.24);
-  s.seat_depth = s.depth - s.back_width - random->uniform(0.08, 0.14);
   s.leg = random->uniform(0.05, 0.12);
   s.base = s.leg + random->uniform(0.1, 0.15);
   s.back_height = s.seat_height + random->uniform(0.36, 0.5);
@@ -54,6 +56,9 @@ Sofa draw(Random* random) {
   s.radius = random->uniform(0.025, 0.05);
   s.steps = random->integer(2, 4);
   s.bulge = random->uniform(0.006, 0.02);
+  s.chaise = s.seats > 1 && random->chance(0.25) ? random->uniform(0.5, 0.75) : 0.0;
+  s.rolled = random->chance(0.3);
+  s.pillows = s.seats > 1 && random->chance(0.4) ? random->integer(1, 2) : 0;
   return s;
 }
 
@@ -79,6 +84,7 @@ class SofaBuilder {
     add_base();
     for (bool right : {false, true}) add_side(right);
     add_legs();
+    add_pillows();
     return builder_.build(kContact);
   }
 
@@ -108,9 +114,12 @@ class SofaBuilder {
   }
 
   void add_seat() {
-    const double gap = 0.012, width = inner_width() / s_.seats;
-    const double front = 0.0, rear = s_.seat_depth + 0.02;
+    const double gap = 0.006, width = inner_width() / s_.seats;
+    const double rear = s_.depth - s_.back_width - s_.lean;
     for (int i = 0; i < s_.seats; ++i) {
+      const bool chaise = s_.chaise > 0.0 && i + 1 == s_.seats;
+      const double front = chaise ? -s_.chaise : 0.0;
+      const int front_plane = chaise ? builder_.add_structure() : front_;
       Curve curve = {{front, s_.base + 0.005}};
       append_arc(&curve, {front + s_.radius, s_.seat_height - s_.radius}, s_.radius, M_PI,
                  0.5 * M_PI, s_.steps);
@@ -119,10 +128,36 @@ class SofaBuilder {
       curve.push_back({middle + 0.12, s_.seat_height + s_.bulge});
       curve.push_back({rear, s_.seat_height});
       const double x = s_.arm_width + i * width + 0.5 * gap;
-      sweep_x(curve, x, width - gap, front_, seat_);
+      sweep_x(curve, x, width - gap, front_plane, seat_);
+      if (chaise) add_chaise(x, width - gap, front_plane);
       curve.push_back({rear, s_.base});
       if (!s_.arms && i == 0) cap_x(curve, x, false, outer_[0]);
       if (!s_.arms && i + 1 == s_.seats) cap_x(curve, x + width - gap, true, outer_[1]);
+    }
+  }
+
+  /// Base and sides of a seat that reaches forward.
+  void add_chaise(double x, double width, int front) {
+    const double y0 = -s_.chaise, high = s_.seat_height - 0.5 * s_.radius;
+    const double x1 = x + width;
+    builder_.add_face(front, {{x, y0 + 0.008, s_.leg},
+                              {x1, y0 + 0.008, s_.leg},
+                              {x1, y0 + 0.008, s_.base},
+                              {x, y0 + 0.008, s_.base}});
+    builder_.add_face(builder_.add_structure(),
+                      {{x, 0.0, s_.leg}, {x, y0, s_.leg}, {x, y0, high}, {x, 0.0, high}});
+    builder_.add_face(outer_[1],
+                      {{x1, y0, s_.leg}, {x1, 0.0, s_.leg}, {x1, 0.0, high}, {x1, y0, high}});
+  }
+
+  /// Flat pillows that lean at the back's ends.
+  void add_pillows() {
+    const double y = s_.depth - s_.back_width - s_.lean - (s_.cushions_behind ? 0.08 : 0.02);
+    const double side = 0.3, thick = 0.05;
+    for (int i = 0; i < s_.pillows; ++i) {
+      const double x = i == 0 ? s_.arm_width + 0.05 : s_.width - s_.arm_width - 0.05 - side;
+      const double z = s_.seat_height + s_.bulge;
+      add_box(&builder_, {x, y - thick, z}, {x + side, y, z + side}, kTouching, {kBottom, kBack});
     }
   }
 
@@ -158,9 +193,9 @@ class SofaBuilder {
   }
 
   void add_back_cushions(double frame_front) {
-    const double gap = 0.012, width = inner_width() / s_.seats;
+    const double gap = 0.006, width = inner_width() / s_.seats;
     const double low = s_.seat_height + 0.01, high = s_.back_height - s_.radius;
-    const double thick = 0.07, lean = s_.lean;
+    const double thick = 0.05, lean = s_.lean;
     const auto at = [&](double share, double out) {
       return Vector2d(frame_front - lean * (1.0 - share) - out, low + share * (high - low));
     };
@@ -185,10 +220,11 @@ class SofaBuilder {
 
   void add_base() {
     // The front panel under the cushions, a little behind them.
-    const double x0 = s_.arm_width, x1 = s_.width - s_.arm_width;
+    const double x0 = s_.arm_width, all = inner_width();
+    const double x1 = x0 + (s_.chaise > 0.0 ? all - all / s_.seats : all);
     builder_.add_face(
         front_,
-        {{x0, 0.015, s_.leg}, {x1, 0.015, s_.leg}, {x1, 0.015, s_.base}, {x0, 0.015, s_.base}});
+        {{x0, 0.008, s_.leg}, {x1, 0.008, s_.leg}, {x1, 0.008, s_.base}, {x0, 0.008, s_.base}});
   }
 
   void add_side(bool right) {
@@ -210,8 +246,14 @@ class SofaBuilder {
       const double r = std::min(s_.radius * 1.2, 0.45 * s_.arm_width), w = s_.arm_width;
       // Across the arm, in x and z, from outside over the top to the inside.
       Curve curve = {{0.0, s_.leg}};
-      append_arc(&curve, {r, s_.arm_height - r}, r, M_PI, 0.5 * M_PI, s_.steps);
-      append_arc(&curve, {w - r, s_.arm_height - r}, r, 0.5 * M_PI, 0.0, s_.steps);
+      if (s_.rolled) {
+        const double roll = 0.5 * w + 0.025;
+        append_arc(&curve, {0.5 * w, s_.arm_height - roll}, roll, 1.2 * M_PI, -0.2 * M_PI,
+                   3 * s_.steps);
+      } else {
+        append_arc(&curve, {r, s_.arm_height - r}, r, M_PI, 0.5 * M_PI, s_.steps);
+        append_arc(&curve, {w - r, s_.arm_height - r}, r, 0.5 * M_PI, 0.0, s_.steps);
+      }
       curve.push_back({w, s_.seat_height - 0.05});
       const double front = 0.0, rear = s_.depth - s_.back_width;
       SurfaceBuilder::Ring points, cap;
@@ -234,15 +276,15 @@ class SofaBuilder {
       builder_.add_face(face, cap);
     } else {
       builder_.add_face(outer, {{0.0, s_.depth - s_.back_width, s_.leg},
-                                {0.0, 0.015, s_.leg},
-                                {0.0, 0.015, s_.base},
+                                {0.0, 0.008, s_.leg},
+                                {0.0, 0.008, s_.base},
                                 {0.0, s_.depth - s_.back_width, s_.base}});
     }
     builder_.set_pose(before);
   }
 
   void add_legs() {
-    const double side = 0.05, front = s_.arms ? 0.0 : 0.015;
+    const double side = 0.05, front = s_.arms ? 0.0 : 0.008;
     for (double x : {0.0, s_.width - side}) {
       for (double y : {front, s_.depth - side}) {
         add_box(&builder_, {x, y, 0.0}, {x + side, y + side, s_.leg}, kTouching, {kTop, kBottom});
