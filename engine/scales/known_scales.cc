@@ -70,8 +70,8 @@ ScaleLabels known_scales(const std::vector<std::vector<int>>& truths, const Firs
   // best[i]: the highest sum of agreements so far with the last scale at or before i.
   std::vector<double> best(n, 0.0);
   std::vector<std::vector<int>> places;
-  for (const std::vector<int>& truth : truths) {
-    const std::vector<double> agreement = agreement_with(truth, first, trajectory);
+  for (size_t k = 1; k < truths.size(); ++k) {
+    const std::vector<double> agreement = agreement_with(truths[k], first, trajectory);
     std::vector<int> place(n);
     for (int i = 0; i < n; ++i) {
       const double here = best[i] + agreement[i];
@@ -82,9 +82,9 @@ ScaleLabels known_scales(const std::vector<std::vector<int>>& truths, const Firs
     places.push_back(place);
   }
   int end = n - 1;
-  labels.first.resize(truths.size());
-  for (size_t k = truths.size(); k-- > 0;) {
-    end = places[k][end];
+  labels.first.resize(truths.size(), 0);
+  for (size_t k = truths.size(); k-- > 1;) {
+    end = places[k - 1][end];
     labels.first[k] = end;
   }
   return labels;

@@ -1,6 +1,6 @@
+#include <gable/engine/scales/shape_plane.h>
 #include <gable/training/scans/plane_attachment.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -28,12 +28,6 @@ PointMoments triangle_moments(const Eigen::Vector3d& a, const Eigen::Vector3d& b
   for (const Eigen::Vector3d& corner : corners) out.squares += corner * corner.transpose();
   out.squares *= out.weight / 12.0;
   return out;
-}
-
-double plane_rms(const PointMoments& moments) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments.scatter() / moments.weight,
-                                                              Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
 }
 
 std::vector<Merge> merge_planes(std::span<const PointMoments> moments,
