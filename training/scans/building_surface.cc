@@ -1,7 +1,7 @@
 #include <gable/grammar/random.h>
 #include <gable/training/scans/block_building_surface.h>
 #include <gable/training/scans/building_surface.h>
-#include <gable/training/scans/house_surface.h>
+#include <gable/training/scans/random_house_surface.h>
 
 namespace gable {
 

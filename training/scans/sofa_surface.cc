@@ -43,7 +43,7 @@ Sofa draw(Random* random) {
   s.seats = random->integer(1, 4);
   s.arms = random->chance(0.88);
   s.arm_width = s.arms ? random->uniform(0.14, 0.26) : 0.0;
-  s.width = s.seats * random->uniform(0.55, 0.72) + 2.0 * s.arm_width + (s.seats == 1 ? 0.1 : 0.0);
+  s.width = s.seats * random->uniform(0.55, 0.72) + 2.0 * s.arm_width + (s.seats == 1 ? 0.2 : 0.0);
   s.depth = random->uniform(0.82, 1.0);
   s.seat_height = random->uniform(0.38, 0.46);
   s.back_width = random->uniform(0.16, 0.24);
