@@ -175,7 +175,8 @@ class CarSide {
 
   void add_mirror() {
     const double x = c_.bonnet_end + 0.22, y = -c_.half_width(), z = c_.belt;
-    add_box(builder_, {x, y - 0.12, z + 0.02}, {x + 0.09, y + c_.shoulder + 0.06, z + 0.13}, kTouching, {kBack});
+    add_box(builder_, {x, y - 0.12, z + 0.02}, {x + 0.09, y + c_.shoulder + 0.06, z + 0.13},
+            kTouching, {kBack});
   }
 
   const CarShape& c_;
