@@ -33,7 +33,8 @@ LabelledSurface random_house_surface(Random* random) {
   options.dormer_share = 0.5;
   House house = random_house(random, options);
   const bool wings = house.foundation == Foundation::kL || house.foundation == Foundation::kU;
-  raise(random->uniform(2.5, 5.5), random->uniform(0.35, wings ? 0.5 : 0.65), &house);
+  const double scale = random->uniform(0.35, wings ? 0.55 : 0.85);
+  raise(random->uniform(2.5, 4.5) + 4.0 * (scale - 0.35), scale, &house);
   return house_surface(house, random);
 }
 
