@@ -13,7 +13,7 @@ CarShape random_car_shape(Random* random) {
   c.sill = random->uniform(0.18, 0.25) + lift;
   c.wheel = random->uniform(0.29, 0.33) + 0.3 * lift;
   c.crease = 2.0 * c.wheel + random->uniform(0.1, 0.14) + 0.5 * lift;
-  c.belt = c.crease + random->uniform(0.16, 0.24);
+  c.belt = c.crease + random->uniform(0.14, 0.2);
   c.nose = std::max(c.crease + 0.01, c.belt - random->uniform(0.12, 0.22));
   c.roof = c.belt + random->uniform(0.42, 0.52);
   c.front_axle = c.length * random->uniform(0.17, 0.2);
@@ -36,7 +36,7 @@ CarShape random_car_shape(Random* random) {
     c.roof_start = c.bonnet_end + random->uniform(0.6, 0.75);
   }
   c.rear_axle = c.length * random->uniform(0.78, 0.81);
-  c.shoulder = random->uniform(0.035, 0.06);
+  c.shoulder = random->uniform(0.045, 0.07);
   c.tumblehome = random->uniform(0.17, 0.25);
   c.corner = random->uniform(0.2, 0.3);
   c.taper = random->uniform(0.05, 0.09);

@@ -29,6 +29,12 @@ struct CarShape {
   double bumper = 0.04;  ///< how far bumpers stand out
   bool underbody = true;
   int strips = 4;  ///< of a curved panel, each way
+
+  double half_width() const { return 0.5 * width; }
+  /// Half width where the side windows start.
+  double half_belt() const { return half_width() - shoulder; }
+  /// Half width where they end at the roof.
+  double half_roof() const { return half_belt() - tumblehome; }
 };
 
 /// A random saloon, hatchback, estate, off-roader or van.

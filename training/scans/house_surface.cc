@@ -1,6 +1,5 @@
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/solid/house_solids.h>
-#include <gable/grammar/synthesis/prior.h>
 #include <gable/grammar/synthesis/rectangle.h>
 #include <gable/training/scans/house_surface.h>
 #include <gable/training/scans/surface_builder.h>
@@ -290,40 +289,6 @@ LabelledSurface house_surface(const House& house, Random* random) {
     builder.add_part(part);
   }
   return builder.build();
-}
-
-namespace {
-
-/// Puts the house on higher walls under flatter roofs: heights above the ground become
-/// lift + scale * height, those of garages stay. Merging by RMS distance joins the slopes of a roof
-/// before it joins a slope to the wall under it only where walls are high and roofs are not steep;
-/// elsewhere it never passes LOD1.
-void raise(double lift, double scale, House* house) {
-  for (Rule& roof : house->roofs) {
-    using namespace param::roof;
-    roof[kEaves] = lift + scale * roof[kEaves];
-    roof[kRise] *= scale;
-  }
-  for (Rule& dormer : house->dormers) {
-    using namespace param::dormer;
-    dormer[kEaves] = lift + scale * dormer[kEaves];
-    dormer[kRise] *= scale;
-  }
-  for (Rule& chimney : house->chimneys) {
-    using namespace param::chimney;
-    chimney[kHeight] = lift + scale * chimney[kHeight];
-  }
-}
-
-}  // namespace
-
-LabelledSurface random_house_surface(Random* random) {
-  PriorOptions options;
-  options.dormer_share = 0.5;
-  House house = random_house(random, options);
-  const bool wings = house.foundation == Foundation::kL || house.foundation == Foundation::kU;
-  raise(random->uniform(2.5, 5.5), random->uniform(0.35, wings ? 0.5 : 0.65), &house);
-  return house_surface(house, random);
 }
 
 }  // namespace gable

@@ -12,7 +12,4 @@ namespace gable {
 /// windows and doors, eaves that stand out, door steps.
 LabelledSurface house_surface(const House& house, Random* random);
 
-/// The same for a random derivation of the prior.
-LabelledSurface random_house_surface(Random* random);
-
 }  // namespace gable

@@ -1,4 +1,5 @@
 #include <gable/grammar/random.h>
+#include <gable/training/scans/sofa_shape.h>
 #include <gable/training/scans/sofa_surface.h>
 #include <gable/training/scans/surface_builder.h>
 #include <gable/training/scans/surface_shapes.h>
@@ -24,47 +25,9 @@ void append_arc(Curve* curve, const Vector2d& center, double radius, double from
   }
 }
 
-struct Sofa {
-  double width, depth, seat_height, base, back_height, back_width, lean;
-  double arm_width, arm_height;
-  int seats;
-  bool arms, cushions_behind;
-  double radius;  // of rounded edges
-  int steps;      // chords of a quarter round
-  double bulge;   // of cushions
-  double leg;
-  double chaise;  // how far the last seat reaches forward; 0: no further than the others
-  bool rolled;    // arms
-  int pillows;
-};
-
-Sofa draw(Random* random) {
-  Sofa s;
-  s.seats = random->integer(1, 4);
-  s.arms = random->chance(0.88);
-  s.arm_width = s.arms ? random->uniform(0.14, 0.26) : 0.0;
-  s.width = s.seats * random->uniform(0.55, 0.72) + 2.0 * s.arm_width + (s.seats == 1 ? 0.1 : 0.0);
-  s.depth = random->uniform(0.82, 1.0);
-  s.seat_height = random->uniform(0.38, 0.46);
-  s.back_width = random->uniform(0.16, 0.24);
-  s.leg = random->uniform(0.05, 0.12);
-  s.base = s.leg + random->uniform(0.1, 0.15);
-  s.back_height = s.seat_height + random->uniform(0.36, 0.5);
-  s.lean = random->uniform(0.03, 0.08);
-  s.arm_height = s.seat_height + random->uniform(0.14, 0.22);
-  s.cushions_behind = random->chance(0.75);
-  s.radius = random->uniform(0.025, 0.05);
-  s.steps = random->integer(2, 4);
-  s.bulge = random->uniform(0.006, 0.02);
-  s.chaise = s.seats > 1 && random->chance(0.25) ? random->uniform(0.5, 0.75) : 0.0;
-  s.rolled = random->chance(0.3);
-  s.pillows = s.seats > 1 && random->chance(0.4) ? random->integer(1, 2) : 0;
-  return s;
-}
-
 class SofaBuilder {
  public:
-  explicit SofaBuilder(const Sofa& sofa) : s_(sofa) {
+  explicit SofaBuilder(const SofaShape& sofa) : s_(sofa) {
     seat_hull_ = builder_.add_hull();
     back_hull_ = builder_.add_hull();
     rear_hull_ = builder_.add_hull();
@@ -292,7 +255,7 @@ class SofaBuilder {
     }
   }
 
-  Sofa s_;
+  SofaShape s_;
   SurfaceBuilder builder_;
   Curve frame_;
   int seat_hull_, back_hull_, rear_hull_;
@@ -304,7 +267,7 @@ class SofaBuilder {
 
 LabelledSurface random_sofa(uint64_t seed) {
   Random random(seed);
-  return SofaBuilder(draw(&random)).build();
+  return SofaBuilder(random_sofa_shape(&random)).build();
 }
 
 }  // namespace gable

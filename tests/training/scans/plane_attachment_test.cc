@@ -1,9 +1,9 @@
 #include <gable/grammar/random.h>
 #include <gable/training/scans/plane_attachment.h>
-#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 

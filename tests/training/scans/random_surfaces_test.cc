@@ -45,11 +45,11 @@ INSTANTIATE_TEST_SUITE_P(
     Classes, RandomSurface,
     testing::Values(
         SurfaceClass{
-            "building", random_building, 12.0, 70.0, {40, 6, 4}, {1500, 60, 12}, {0.95, 0.92}},
+            "building", random_building, 12.0, 70.0, {40, 6, 4}, {1600, 40, 14}, {0.95, 0.92}},
         SurfaceClass{
-            "indoor", random_indoor_scene, 4.5, 9.5, {40, 10, 4}, {900, 80, 14}, {0.91, 0.86}},
-        SurfaceClass{"car", random_car, 3.8, 6.0, {150, 9, 6}, {700, 16, 9}, {0.93, 0.95}},
-        SurfaceClass{"sofa", random_sofa, 1.2, 3.6, {30, 6, 4}, {300, 20, 8}, {0.92, 0.85}}),
+            "indoor", random_indoor_scene, 4.5, 9.5, {40, 10, 4}, {800, 70, 14}, {0.91, 0.86}},
+        SurfaceClass{"car", random_car, 3.8, 6.0, {150, 9, 6}, {600, 14, 9}, {0.95, 0.94}},
+        SurfaceClass{"sofa", random_sofa, 1.2, 3.6, {30, 6, 4}, {200, 18, 8}, {0.92, 0.84}}),
     [](const testing::TestParamInfo<SurfaceClass>& i) { return std::string(i.param.name); });
 
 TEST_P(RandomSurface, FinestPlanesArePlanar) {
