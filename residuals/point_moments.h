@@ -26,4 +26,8 @@ struct PointMoments {
 /// Moments of points with weight 1, relative to their first.
 PointMoments moments_of(std::span<const Eigen::Vector3d> points);
 
+/// Moments of a triangle's surface, each square metre of which weighs 1: exact integrals.
+PointMoments triangle_moments(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                              const Eigen::Vector3d& c, const Eigen::Vector3d& reference);
+
 }  // namespace gable

@@ -1,4 +1,6 @@
+#include <gable/engine/scales/absorb_small_shapes.h>
 #include <gable/engine/scales/facet_regions.h>
+#include <gable/engine/scales/mesh_noise.h>
 #include <gable/engine/scales/shape_plane.h>
 
 #include <Eigen/Geometry>
@@ -10,6 +12,8 @@
 
 namespace gable {
 namespace {
+
+constexpr int kSmoothingRounds = 5;
 
 struct MeshView {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -45,14 +49,6 @@ struct FacetPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< zero for a facet without area
 };
 
-// A triangle's second moments are those of its corners and its centroid: with area A, corners a, b,
-// c and centroid m, the integral of p p' is A / 12 (a a' + b b' + c c' + 9 m m').
-void add_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                  double area, PointMoments* moments) {
-  for (const Eigen::Vector3d& corner : {a, b, c}) moments->add(corner, area / 12.0);
-  moments->add((a + b + c) / 3.0, 9.0 * area / 12.0);
-}
-
 FacetPlane facet_plane(const Scan& scan, const MeshView& view, size_t facet) {
   const std::span<const int> corners = scan.facets[facet];
   const auto corner = [&](size_t i) -> Eigen::Vector3d {
@@ -62,9 +58,8 @@ FacetPlane facet_plane(const Scan& scan, const MeshView& view, size_t facet) {
   Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();
   for (size_t i = 1; i + 1 < corners.size(); ++i) {
     const Eigen::Vector3d a = corner(0), b = corner(i), c = corner(i + 1);
-    const Eigen::Vector3d doubled = (b - a).cross(c - a);
-    area_vector += 0.5 * doubled;
-    add_triangle(a, b, c, 0.5 * doubled.norm(), &out.moments);
+    area_vector += 0.5 * (b - a).cross(c - a);
+    out.moments += triangle_moments(a, b, c, Eigen::Vector3d::Zero());
   }
   // Below this share of the box squared, a normal is rounding.
   if (area_vector.norm() > 1e-14 * view.diagonal * view.diagonal) {
@@ -122,6 +117,23 @@ class FacetNeighbours {
   std::vector<int> facets_;
 };
 
+// Normals of facets as means over those around, so that noise in the vertices averages out.
+void smooth_normals(const FacetNeighbours& neighbours, std::vector<FacetPlane>* planes) {
+  for (int round = 0; round < kSmoothingRounds; ++round) {
+    const std::vector<FacetPlane> before = *planes;
+    for (size_t f = 0; f < before.size(); ++f) {
+      const Eigen::Vector3d& own = before[f].normal;
+      Eigen::Vector3d sum = before[f].moments.weight * own;
+      for (int other : neighbours.of(static_cast<int>(f))) {
+        const Eigen::Vector3d& normal = before[other].normal;
+        // Facets need not be oriented alike.
+        sum += (normal.dot(own) < 0.0 ? -1.0 : 1.0) * before[other].moments.weight * normal;
+      }
+      if (!own.isZero() && !sum.isZero()) (*planes)[f].normal = sum.normalized();
+    }
+  }
+}
+
 }  // namespace
 
 FirstShapes grow_facet_regions(const Scan& scan, const FirstShapesOptions& options) {
@@ -130,13 +142,17 @@ FirstShapes grow_facet_regions(const Scan& scan, const FirstShapesOptions& optio
   first.shape_of.assign(n, -1);
   const MeshView view = view_of(scan.points);
   first.diagonal = view.diagonal;
-  const double epsilon = options.epsilon_percent / 100.0 * view.diagonal;
+  const double least_epsilon = options.epsilon_percent / 100.0 * view.diagonal;
+  const double noise = options.epsilon_percent > 0.0 ? mesh_noise(scan) : 0.0;
+  const bool noisy = options.epsilon_deviations * noise > least_epsilon;
+  const double epsilon = noisy ? options.epsilon_deviations * noise : least_epsilon;
   const double min_cosine = std::cos(options.max_angle);
 
   std::vector<FacetPlane> planes;
   for (int f = 0; f < n; ++f) planes.push_back(facet_plane(scan, view, f));
   const std::vector<std::pair<int, int>> pairs = facet_pairs(scan, view);
   const FacetNeighbours neighbours(n, pairs);
+  if (noisy) smooth_normals(neighbours, &planes);
   std::vector<int> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
@@ -180,6 +196,7 @@ FirstShapes grow_facet_regions(const Scan& scan, const FirstShapesOptions& optio
   std::sort(first.adjacent.begin(), first.adjacent.end());
   first.adjacent.erase(std::unique(first.adjacent.begin(), first.adjacent.end()),
                        first.adjacent.end());
+  if (noisy) absorb_small_shapes(options.min_inliers, &first);
   return first;
 }
 

@@ -13,11 +13,12 @@ struct FirstShapesOptions {
   /// Largest distance of an element to its shape, per cent of the bounding box diagonal, [0, 10].
   /// On meshes 0 makes every facet a shape of its own.
   double epsilon_percent = 0.05;
-  /// Clouds whose surfaces are thicker than epsilon get an epsilon of this many standard deviations
+  /// Scans whose surfaces are thicker than epsilon get an epsilon of this many standard deviations
   /// of their noise instead, [0, 10]; 0: epsilon is taken as it is.
   double epsilon_deviations = 3.0;
   double max_angle = 0.4363;  ///< between an element's normal and its shape's, radians, (0, 1.5708)
-  int min_inliers = 10;       ///< of a shape of points, [1, 1000000]; facets always find a shape
+  /// Of a shape of points, or of the facets of a rough mesh, [1, 1000000]. Facets always find one.
+  int min_inliers = 10;
   int neighbours = 20;        ///< k of the neighbour graph of points, [3, 200]
   int threads = 1;            ///< [1, 1024]; the shapes do not depend on it
 };

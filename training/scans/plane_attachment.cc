@@ -16,20 +16,6 @@ struct Edge {
 
 }  // namespace
 
-PointMoments triangle_moments(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c, const Eigen::Vector3d& reference) {
-  PointMoments out;
-  out.reference = reference;
-  out.weight = 0.5 * (b - a).cross(c - a).norm();
-  const Eigen::Vector3d corners[3] = {a - reference, b - reference, c - reference};
-  const Eigen::Vector3d sum = corners[0] + corners[1] + corners[2];
-  out.sum = out.weight / 3.0 * sum;
-  out.squares = sum * sum.transpose();
-  for (const Eigen::Vector3d& corner : corners) out.squares += corner * corner.transpose();
-  out.squares *= out.weight / 12.0;
-  return out;
-}
-
 std::vector<Merge> merge_planes(std::span<const PointMoments> moments,
                                 std::span<const std::pair<int, int>> adjacent,
                                 std::span<const int> seed_of) {

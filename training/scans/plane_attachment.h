@@ -9,10 +9,6 @@
 
 namespace gable {
 
-/// Moments of a triangle's area: a sum over all of its points, each weighing its square metres.
-PointMoments triangle_moments(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c, const Eigen::Vector3d& reference);
-
 /// Merges planes bottom-up, always the adjacent pair whose union has the least RMS distance from
 /// one plane, as trajectories do (CVPR 2018, section 4), but never two that hold different seeds.
 /// @param seed_of  per plane: the group that it is known to belong to, or -1

@@ -1,3 +1,4 @@
+#include <gable/engine/scales/shape_plane.h>
 #include <gable/grammar/random.h>
 #include <gable/training/scans/plane_attachment.h>
 #include <gmock/gmock.h>
@@ -15,35 +16,6 @@ using testing::ElementsAre;
 
 Vector3d random_point(Random* random) {
   return {random->uniform(-1, 1), random->uniform(-1, 1), random->uniform(-1, 1)};
-}
-
-TEST(TriangleMoments, AreThoseOfManySmallPieces) {
-  Random random(3);
-  const Vector3d a = random_point(&random), b = random_point(&random), c = random_point(&random);
-  const PointMoments exact = triangle_moments(a, b, c, Vector3d(0.3, 0.2, 0.1));
-  PointMoments sum;
-  sum.reference = Vector3d(0.3, 0.2, 0.1);
-  constexpr int kSteps = 200;
-  const double piece = 0.5 * (b - a).cross(c - a).norm() / (kSteps * kSteps);
-  const Vector3d u = (b - a) / kSteps, v = (c - a) / kSteps;
-  for (int i = 0; i < kSteps; ++i) {
-    for (int j = 0; i + j < kSteps; ++j) {
-      sum.add(a + (i + 1.0 / 3.0) * u + (j + 1.0 / 3.0) * v, piece);
-      if (i + j + 1 < kSteps) sum.add(a + (i + 2.0 / 3.0) * u + (j + 2.0 / 3.0) * v, piece);
-    }
-  }
-  EXPECT_NEAR(exact.weight, sum.weight, 1e-12);
-  EXPECT_LT((exact.sum - sum.sum).norm(), 1e-9);
-  EXPECT_LT((exact.squares - sum.squares).norm(), 1e-5);
-}
-
-TEST(PlaneRms, OfTwoParallelSquaresIsHalfTheirDistance) {
-  PointMoments both;
-  for (double z : {0.0, 0.4}) {
-    both += triangle_moments({0, 0, z}, {1, 0, z}, {1, 1, z}, Vector3d::Zero());
-    both += triangle_moments({0, 0, z}, {1, 1, z}, {0, 1, z}, Vector3d::Zero());
-  }
-  EXPECT_NEAR(plane_rms(both), 0.2, 1e-9);
 }
 
 /// Planes as points, a chain with random further pairs.
