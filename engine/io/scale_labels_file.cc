@@ -93,9 +93,11 @@ ScaleLabelsFile read_scale_labels(const std::string& path) {
 
 std::string name_in_labels(const std::string& scan, const std::string& labels) {
   namespace fs = std::filesystem;
-  std::error_code none;
-  const fs::path folder = fs::absolute(labels, none).parent_path();
-  return fs::proximate(scan, folder, none).generic_string();
+  const auto place = [](const fs::path& path) {
+    std::error_code none;  // what does not exist yet has a place as well
+    return fs::weakly_canonical(fs::absolute(path, none), none);
+  };
+  return place(scan).lexically_proximate(place(labels).parent_path()).generic_string();
 }
 
 }  // namespace gable

@@ -3,14 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
-#include <set>
+#include <vector>
 
 namespace gable {
 namespace {
 
-/// The least root mean square distance of weighted points to any plane, by brute force: a fine grid
-/// of normals, then ever finer ones around the best.
+/// The least root mean square distance of weighted points to any plane, by brute force: a grid of
+/// normals on a cube, then ever finer ones around the best.
 double least_rms(const std::vector<Eigen::Vector3d>& points, const std::vector<double>& weights) {
   double sum = 0.0;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
@@ -19,28 +20,33 @@ double least_rms(const std::vector<Eigen::Vector3d>& points, const std::vector<d
     centroid += weights[i] * points[i];
   }
   centroid /= sum;
-  const auto rms = [&](double polar, double azimuth) {
-    const Eigen::Vector3d normal(std::sin(polar) * std::cos(azimuth),
-                                 std::sin(polar) * std::sin(azimuth), std::cos(polar));
+  const auto rms = [&](const Eigen::Vector3d& normal) {
     double squares = 0.0;
     for (size_t i = 0; i < points.size(); ++i) {
       squares += weights[i] * std::pow(normal.dot(points[i] - centroid), 2);
     }
     return std::sqrt(squares / sum);
   };
-  double best = 1e300, polar = 0.0, azimuth = 0.0, step = 0.1;
-  for (double p = 0.0; p < M_PI; p += step) {
-    for (double a = 0.0; a < M_PI; a += step) {
-      if (const double r = rms(p, a); r < best) best = r, polar = p, azimuth = a;
+  double best = 1e300;
+  Eigen::Vector3d normal;
+  const auto look_at = [&](const Eigen::Vector3d& direction) {
+    if (const double r = rms(direction.normalized()); r < best) {
+      best = r;
+      normal = direction.normalized();
+    }
+  };
+  for (double x = -1.0; x <= 1.0; x += 0.1) {
+    for (double y = -1.0; y <= 1.0; y += 0.1) {
+      for (const Eigen::Vector3d& face :
+           {Eigen::Vector3d(x, y, 1), Eigen::Vector3d(x, 1, y), Eigen::Vector3d(1, x, y)}) {
+        look_at(face);
+      }
     }
   }
-  for (; step > 1e-9; step *= 0.7) {
-    const double p0 = polar, a0 = azimuth;
+  for (double step = 0.1; step > 1e-9; step *= 0.7) {
+    const Eigen::Vector3d from = normal, u = from.unitOrthogonal(), v = from.cross(u);
     for (int i = -2; i <= 2; ++i) {
-      for (int j = -2; j <= 2; ++j) {
-        const double p = p0 + i * step, a = a0 + j * step;
-        if (const double r = rms(p, a); r < best) best = r, polar = p, azimuth = a;
-      }
+      for (int j = -2; j <= 2; ++j) look_at(from + step * (i * u + j * v));
     }
   }
   return best;
