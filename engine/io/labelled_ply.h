@@ -13,4 +13,8 @@ namespace gable {
 /// `shape_of` has one value per element. Throws Error (kCannotWrite).
 void write_labelled_ply(const std::string& path, const Scan& scan, std::span<const int> shape_of);
 
+/// The same with the scan's own labels, each an int property of its name, in place of `shape`: a
+/// scan as it is. Names must be words without blanks.
+void write_scan_ply(const std::string& path, const Scan& scan);
+
 }  // namespace gable

@@ -12,6 +12,7 @@
 #include "examples/cli/interrupt.h"
 #include "examples/cli/reconstruct_command.h"
 #include "examples/cli/refine_command.h"
+#include "examples/cli/shapes_command.h"
 #include "examples/cli/synthesize_command.h"
 
 namespace gable {
@@ -52,6 +53,7 @@ int run_program(int argc, char** argv) {
   add_reconstruct_command(&app, context);
   add_refine_command(&app, context);
   add_evaluate_command(&app, context);
+  add_shapes_command(&app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

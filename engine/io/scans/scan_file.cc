@@ -74,6 +74,11 @@ ScanFile read_scan_file(const std::string& path, const ReadScanOptions& options)
   return reader->second(bytes, path);
 }
 
+bool has_scan_extension(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return readers().contains(extension) || kRasters.contains(extension);
+}
+
 Scan read_scan(const std::string& path, const ReadScanOptions& options) {
   return read_scan_file(path, options).scan;
 }

@@ -28,6 +28,9 @@ struct ReadScanOptions {
 /// says, is damaged or truncated, or holds no usable point.
 ScanFile read_scan_file(const std::string& path, const ReadScanOptions& options = {});
 
+/// Whether the name of a file ends with one of these extensions.
+bool has_scan_extension(const std::string& path);
+
 /// The scan alone.
 Scan read_scan(const std::string& path, const ReadScanOptions& options = {});
 

@@ -24,6 +24,20 @@ TEST(LabelledPly, GivesTheScanBackWithItsShapes) {
   }
 }
 
+TEST(LabelledPly, GivesAScanBackWithItsOwnLabels) {
+  const ScratchFolder scratch;
+  for (Scan scan : {sample_cloud(), sample_mesh()}) {
+    const int n = static_cast<int>(scan.num_elements());
+    for (int i = 0; i < n; ++i) {
+      scan.labels["scale_1"].push_back(i - 1);
+      scan.labels["scale_2"].push_back(7 * (n - i));
+    }
+    const std::string path = scratch.path("scan.ply");
+    write_scan_ply(path, scan);
+    expect_scan(read_scan(path), scan);
+  }
+}
+
 TEST(LabelledPly, SaysWhereItCannotWrite) {
   const std::string path = "/no/such/folder/shapes.ply";
   const std::vector<int> shape_of(5, -1);
