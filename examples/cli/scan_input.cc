@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 
 namespace gable {
@@ -48,6 +49,10 @@ std::vector<std::string> scan_files(const std::vector<std::string>& paths) {
     }
     std::sort(files.begin() + static_cast<std::ptrdiff_t>(begin), files.end());
   }
+  std::set<std::string> seen;
+  std::erase_if(files, [&](const std::string& file) {
+    return !seen.insert(fs::path(file).lexically_normal().string()).second;
+  });
   return files;
 }
 

@@ -11,8 +11,8 @@ namespace gable {
 std::string skipped_line(const std::string& path, const ScanFile& file);
 
 /// The scans among files and folders: files as given, of folders all files with a readable
-/// extension, sorted by name. Throws Error (kNoInput) where a path does not exist or a folder has
-/// no scans.
+/// extension, sorted by name; each once. Throws Error (kNoInput) where a path does not exist or a
+/// folder has no scans.
 std::vector<std::string> scan_files(const std::vector<std::string>& paths);
 
 }  // namespace gable

@@ -14,8 +14,8 @@
 namespace gable {
 
 void for_trajectories(
-    const std::vector<std::string>& files, const CommonOptions& options,
-    const CommandContext& context,
+    const std::vector<std::string>& files, const ReadScanOptions& reading,
+    const CommonOptions& options, const CommandContext& context,
     const std::function<void(size_t index, const ScanTrajectory& trajectory)>& work) {
   const int threads = options.num_threads();
   FirstShapesOptions first_shapes;
@@ -26,7 +26,7 @@ void for_trajectories(
   const auto one = [&](size_t i) {
     ScanTrajectory trajectory;
     trajectory.path = files[i];
-    ScanFile file = read_scan_file(files[i]);
+    ScanFile file = read_scan_file(files[i], reading);
     const std::string skipped = skipped_line(files[i], file);
     if (!skipped.empty()) progress.say(skipped);
     trajectory.scan = std::move(file.scan);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gable/engine/io/scans/scan_file.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/engine/scan.h>
 
@@ -22,8 +23,8 @@ struct ScanTrajectory {
 /// from that thread. Shows progress; scans without planar shapes are skipped with a line. Throws
 /// the first error by the order of the files; kInterrupted where a stop is requested.
 void for_trajectories(
-    const std::vector<std::string>& files, const CommonOptions& options,
-    const CommandContext& context,
+    const std::vector<std::string>& files, const ReadScanOptions& reading,
+    const CommonOptions& options, const CommandContext& context,
     const std::function<void(size_t index, const ScanTrajectory& trajectory)>& work);
 
 }  // namespace gable

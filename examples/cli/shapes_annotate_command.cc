@@ -31,6 +31,7 @@ constexpr int kUsualScales = 3;
 
 struct AnnotateOptions {
   CommonOptions common;
+  ReadScanOptions reading;
   std::vector<std::string> scans;
   std::string labels, sheets, model;
   int num_scales = 0;
@@ -55,7 +56,7 @@ int number_of_scales(const AnnotateOptions& options, const ScaleLabelsFile& befo
     return before.num_scales;
   }
   if (options.num_scales > 0) return options.num_scales;
-  const size_t known = known_planes(read_scan(files.front())).size();
+  const size_t known = known_planes(read_scan(files.front(), options.reading)).size();
   if (known > 0) return static_cast<int>(known);
   return model != nullptr ? model->num_scales() : kUsualScales;
 }
@@ -101,6 +102,11 @@ void run(const AnnotateOptions& options, const CommandContext& context) {
   ScaleLabelsFile before;
   if (fs::exists(options.labels, none)) before = read_scale_labels(options.labels);
   before.num_scales = number_of_scales(options, before, files, model ? &*model : nullptr);
+  if (!options.model.empty() && model->num_scales() != before.num_scales) {
+    throw Error(ExitCode::kUsage, "--model " + options.model + ": has " +
+                                      std::to_string(model->num_scales()) + " scales, not " +
+                                      std::to_string(before.num_scales));
+  }
   const std::string sheets = options.sheets.empty()
                                  ? fs::path(options.labels).replace_extension().string()
                                  : options.sheets;
@@ -111,17 +117,19 @@ void run(const AnnotateOptions& options, const CommandContext& context) {
   AtomicFile{options.labels};  // whether it can be written, before any work is done
   StagedFolder staged(sheets);
   std::vector<ScanScaleLabels> scans(files.size());
-  for_trajectories(files, options.common, context, [&](size_t i, const ScanTrajectory& trajectory) {
-    const ScaleProposal proposal = propose_scales(trajectory.scan, trajectory.collapsed,
-                                                  before.num_scales, model ? &*model : nullptr);
-    ScanScaleLabels& scan = scans[i];
-    scan = {name_in_labels(trajectory.path, options.labels), proposal.labels, proposal.known};
-    keep_marks(before, &scan);
-    const cv::Mat sheet = draw_contact_sheet(trajectory.scan, trajectory.collapsed.first_shapes,
-                                             trajectory.collapsed.trajectory, scan.labels,
-                                             fs::path(trajectory.path).filename().string());
-    write_file_atomically(staged.path(sheet_name(scan.file)), png_bytes(sheet));
-  });
+  for_trajectories(
+      files, options.reading, options.common, context,
+      [&](size_t i, const ScanTrajectory& trajectory) {
+        const ScaleProposal proposal = propose_scales(trajectory.scan, trajectory.collapsed,
+                                                      before.num_scales, model ? &*model : nullptr);
+        ScanScaleLabels& scan = scans[i];
+        scan = {name_in_labels(trajectory.path, options.labels), proposal.labels, proposal.known};
+        keep_marks(before, &scan);
+        const cv::Mat sheet = draw_contact_sheet(trajectory.scan, trajectory.collapsed.first_shapes,
+                                                 trajectory.collapsed.trajectory, scan.labels,
+                                                 fs::path(trajectory.path).filename().string());
+        write_file_atomically(staged.path(sheet_name(scan.file)), png_bytes(sheet));
+      });
   write_scale_labels(options.labels, merged(before, scans));
   staged.commit();
   if (!options.common.quiet) {
@@ -160,6 +168,10 @@ void add_shapes_annotate_command(CLI::App* shapes, const CommandContext& context
                    "Scales to mark; without it those that the first scan knows, or the model's")
       ->type_name("K")
       ->check(CLI::Range(1, 62));
+  command
+      ->add_option("--crs", options->reading.raster_crs,
+                   "Reference system of height rasters that carry none: EPSG:27700")
+      ->type_name("CRS");
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });
 }

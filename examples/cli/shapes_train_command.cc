@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct TrainOptions {
   CommonOptions common;
+  ReadScanOptions reading;
   std::vector<std::string> scans;
   std::string labels, folder, name;
   ScaleTrainingOptions training;
@@ -79,17 +80,19 @@ void run(const TrainOptions& options, const CommandContext& context) {
   std::vector<std::string> files;
   for (const auto& [file, known] : scans) files.push_back(file);
   std::vector<std::vector<ScaleFeatures>> features(scans.size());
-  for_trajectories(files, options.common, context, [&](size_t i, const ScanTrajectory& trajectory) {
-    const ScaleLabels& known = scans[i].second;
-    const int n = trajectory.collapsed.trajectory.num_configurations();
-    if (n != known.num_configurations) {
-      throw Error(ExitCode::kBadInput,
-                  files[i] + ": has " + std::to_string(n) + " configurations, " + options.labels +
-                      " was made from " + std::to_string(known.num_configurations) +
-                      "; annotate the scan again with gable shapes annotate");
-    }
-    features[i] = trajectory.collapsed.trajectory.features;
-  });
+  for_trajectories(files, options.reading, options.common, context,
+                   [&](size_t i, const ScanTrajectory& trajectory) {
+                     const ScaleLabels& known = scans[i].second;
+                     const int n = trajectory.collapsed.trajectory.num_configurations();
+                     if (n != known.num_configurations) {
+                       throw Error(ExitCode::kBadInput,
+                                   files[i] + ": has " + std::to_string(n) + " configurations, " +
+                                       options.labels + " was made from " +
+                                       std::to_string(known.num_configurations) +
+                                       "; annotate the scan again with gable shapes annotate");
+                     }
+                     features[i] = trajectory.collapsed.trajectory.features;
+                   });
   std::vector<std::vector<ScaleFeatures>> used;
   std::vector<ScaleLabels> known;
   for (size_t i = 0; i < scans.size(); ++i) {
@@ -140,6 +143,10 @@ void add_shapes_train_command(CLI::App* shapes, const CommandContext& context) {
       ->type_name("SHARE")
       ->check(CLI::Range(1e-9, 1.0))
       ->capture_default_str();
+  command
+      ->add_option("--crs", options->reading.raster_crs,
+                   "Reference system of height rasters that carry none: EPSG:27700")
+      ->type_name("CRS");
   add_common_options(command, &options->common);
   command->callback([options, context] {
     options->training.forest.seed = options->training.seed;

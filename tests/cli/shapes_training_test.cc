@@ -163,6 +163,18 @@ TEST(ShapesTraining, AModelProposesWhereItFindsTheScales) {
   ASSERT_EQ(folder.shapes(folder.path("plain.ply")).exit_code, 0);
   EXPECT_EQ(read_trajectory_json(folder.path("out/trajectory.json")).scales.first,
             file.scans[0].labels.first);
+  // One of another number of scales cannot.
+  const ProgramRun other =
+      run_gable({"shapes", "annotate", folder.path("plain.ply"), "-o", folder.path("other.json"),
+                 "--model", folder.model(), "--scales", "2", "--quiet"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.err, HasSubstr("has 3 scales, not 2"));
+}
+
+TEST(ShapesTraining, AScanGivenTwiceCountsOnce) {
+  const ScansFolder folder;
+  ASSERT_EQ(folder.annotate({folder.scan_file(2), folder.scans() + "//house-3.ply"}).exit_code, 0);
+  EXPECT_EQ(read_scale_labels(folder.labels()).scans.size(), 6u);
 }
 
 TEST(ShapesTraining, TrainRefusesLabelsThatDoNotFit) {
