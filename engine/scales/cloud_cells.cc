@@ -6,6 +6,8 @@ namespace gable {
 namespace {
 
 constexpr int kFinestLevel = 20;
+// Summing up fewer points than this on average, time after time, costs little.
+constexpr size_t kFewPoints = 3;
 
 struct Box {
   Eigen::Vector3f low;
@@ -40,26 +42,36 @@ void for_cell_starts(const OrderedCloud& cloud, const Box& box, int level, const
 
 }  // namespace
 
-CloudCells sum_up_in_cells(const OrderedCloud& cloud, double points_per_cell) {
-  CloudCells cells;
-  if (cloud.positions.empty()) return cells;
+CloudCells::CloudCells(const OrderedCloud& cloud, double points_per_cell) : cloud_(cloud) {
+  if (cloud.positions.empty()) return;
   const Box box = box_of(cloud);
   int level = kFinestLevel;
-  for (; level > 0; --level) {
-    int occupied = 0;
+  size_t occupied = 0;
+  for (; level >= 0; --level) {
+    occupied = 0;
     for_cell_starts(cloud, box, level, [&](int) { ++occupied; });
-    if (cloud.size() >= points_per_cell * occupied) break;
+    if (level == 0 || cloud.size() >= points_per_cell * static_cast<double>(occupied)) break;
   }
-  std::vector<int> starts;
-  for_cell_starts(cloud, box, level, [&](int p) { starts.push_back(p); });
-  starts.push_back(cloud.size());
-  for (size_t c = 0; c + 1 < starts.size(); ++c) {
-    PointMoments moments;
-    for (int p = starts[c]; p < starts[c + 1]; ++p) moments.add(cloud.positions[p].cast<double>());
-    cells.centroids.push_back(moments.centroid().cast<float>());
-    cells.moments.push_back(moments);
+  begins_.reserve(occupied + 1);
+  for_cell_starts(cloud, box, level, [&](int p) { begins_.push_back(p); });
+  begins_.push_back(cloud.size());
+  const bool keep = cloud.positions.size() >= kFewPoints * occupied;
+  centroids_.reserve(occupied);
+  if (keep) moments_.reserve(occupied);
+  for (size_t c = 0; c < occupied; ++c) {
+    const PointMoments moments = summed(static_cast<int>(c));
+    centroids_.push_back(moments.centroid().cast<float>());
+    if (keep) moments_.push_back(moments);
   }
-  return cells;
+}
+
+PointMoments CloudCells::summed(int cell) const {
+  PointMoments moments;
+  const size_t c = static_cast<size_t>(cell);
+  for (int p = begins_[c]; p < begins_[c + 1]; ++p) {
+    moments.add(cloud_.positions[p].cast<double>());
+  }
+  return moments;
 }
 
 }  // namespace gable

@@ -34,7 +34,7 @@ void dissolve_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
                       std::vector<PointMoments>* moments) {
   const size_t count = moments->size();
   std::vector<std::vector<int>> adjacent =
-      lists_of(adjacent_regions(neighbours, *region_of, 1), count);
+      lists_of(adjacent_regions(neighbours, *region_of, options.threads), count);
   const std::vector<std::vector<int>> members = members_of(*region_of, count);
   std::vector<ShapePlane> planes;
   for (const PointMoments& m : *moments) {
@@ -46,16 +46,27 @@ void dissolve_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
                    [&](int a, int b) { return (*moments)[a].weight < (*moments)[b].weight; });
 
   std::vector<char> gone(count, 0);
-  std::vector<int> choice;
+  std::vector<int> choice, larger;
   for (int region : order) {
+    larger.clear();
+    for (int other : adjacent[region]) {
+      if (!gone[other] && (*moments)[other].weight > (*moments)[region].weight) {
+        larger.push_back(other);
+      }
+    }
+    if (larger.empty()) continue;
     choice.clear();
+    const double size = static_cast<double>(members[region].size());
+    const double fewest = options.min_share * size;
     double squares = 0.0;
     size_t fitting = 0;
     for (int p : members[region]) {
+      // Most regions are surfaces of their own: a few of their points show it.
+      const double left = size - static_cast<double>(choice.size());
+      if (static_cast<double>(fitting) + left < fewest) break;
       double best = options.reach;
       int to = -1;
-      for (int other : adjacent[region]) {
-        if (gone[other] || (*moments)[other].weight <= (*moments)[region].weight) continue;
+      for (int other : larger) {
         const Eigen::Vector3d d = cloud.positions[p].cast<double>() - planes[other].centroid;
         const double distance = std::abs(planes[other].normal.dot(d));
         if (distance < best) {
@@ -66,8 +77,7 @@ void dissolve_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
       choice.push_back(to);
       if (to >= 0) ++fitting, squares += best * best;
     }
-    const double size = static_cast<double>(members[region].size());
-    if (static_cast<double>(fitting) < options.min_share * size || fitting == 0) continue;
+    if (static_cast<double>(fitting) < fewest || fitting == 0) continue;
     if (squares >
         options.max_excess * options.deviation * options.deviation * static_cast<double>(fitting)) {
       continue;

@@ -13,6 +13,7 @@ struct DissolveOptions {
   double deviation = 0.0;   ///< standard deviation of points that lie on a plane, metres, > 0
   double max_excess = 2.0;  ///< mean squared distance allowed, in squared deviations, > 0
   double min_share = 0.9;   ///< of the points that must fit, (0, 1]
+  int threads = 1;          ///< the regions do not depend on it
 };
 
 /// Gives up regions, smallest first, whose points fit the planes of adjacent larger regions: the

@@ -109,47 +109,48 @@ SurfaceNoise estimate_surface_noise(const OrderedCloud& cloud, int neighbours, i
 
 namespace {
 
-// Calls plane(point) for the spread around every point.
-template <typename SpreadOf>
-LocalPlanes fit(const OrderedCloud& cloud, int threads, const SpreadOf& spread_of) {
+LocalPlanes no_planes(size_t count) {
   LocalPlanes planes;
-  const size_t count = cloud.positions.size();
   planes.normals.assign(count, Eigen::Vector3f::Zero());
   planes.distances.assign(count, 0.0f);
   planes.deviations.assign(count, 0.0f);
-  for_ranges(count, threads, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const Spread spread = spread_of(static_cast<int>(i));
-      if (!spread.is_plane()) continue;
-      planes.normals[i] = spread.normal.cast<float>();
-      planes.distances[i] = static_cast<float>(-spread.normal.dot(spread.mean));
-      planes.deviations[i] = static_cast<float>(spread.deviations[0]);
-    }
-  });
   return planes;
+}
+
+void set_plane(size_t point, const Spread& spread, LocalPlanes* planes) {
+  if (!spread.is_plane()) return;
+  planes->normals[point] = spread.normal.cast<float>();
+  planes->distances[point] = static_cast<float>(-spread.normal.dot(spread.mean));
+  planes->deviations[point] = static_cast<float>(spread.deviations[0]);
 }
 
 }  // namespace
 
 LocalPlanes fit_local_planes(const OrderedCloud& cloud, const Neighbours& neighbours,
                              const SurfaceNoise& noise, int threads) {
-  if (neighbours.k < 2) return fit(cloud, 1, [](int) { return Spread(); });
+  LocalPlanes planes = no_planes(cloud.positions.size());
+  if (neighbours.k < 2) return planes;
   if (noise.thinning == 1) {
-    return fit(cloud, threads, [&](int p) {
-      return spread_around(cloud.positions[p], cloud.positions, neighbours.of(p));
+    for_ranges(cloud.positions.size(), threads, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const auto around = neighbours.of(static_cast<int>(i));
+        set_plane(i, spread_around(cloud.positions[i], cloud.positions, around), &planes);
+      }
     });
+    return planes;
   }
   // All points of a neighbourhood half as wide as that of the thinned cloud say as much about the
   // plane, and blur edges less. Summed up in cells, they are few.
   const double points = kWide * neighbours.k * noise.thinning;
-  const CloudCells cells = sum_up_in_cells(cloud, points / neighbours.k / 2.0);
+  const CloudCells cells(cloud, points / neighbours.k / 2.0);
   const int k = static_cast<int>(std::ceil(points * cells.size() / cloud.size()));
-  const Neighbours around = find_neighbours(cells.centroids, cloud.positions, k, threads);
-  return fit(cloud, threads, [&](int p) {
-    PointMoments moments;
-    for (int c : around.of(p)) moments += cells.moments[c];
-    return spread_of(moments, cloud.positions[p]);
-  });
+  for_neighbours(cells.centroids(), cloud.positions, k, threads,
+                 [&](size_t i, std::span<const int> around) {
+                   PointMoments moments;
+                   for (int c : around) moments += cells.moments(c);
+                   set_plane(i, spread_of(moments, cloud.positions[i]), &planes);
+                 });
+  return planes;
 }
 
 }  // namespace gable

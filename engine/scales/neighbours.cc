@@ -66,10 +66,16 @@ Neighbours find_neighbours(const std::vector<Eigen::Vector3f>& cloud,
   out.k = std::min(k, static_cast<int>(cloud.size()));
   if (out.k <= 0) return {};
   out.indices.resize(queries.size() * out.k);
-  search(cloud, queries, out.k, threads, [&](size_t i, const std::vector<int>& found) {
+  for_neighbours(cloud, queries, out.k, threads, [&](size_t i, std::span<const int> found) {
     std::copy(found.begin(), found.end(), out.indices.begin() + i * out.k);
   });
   return out;
+}
+
+void for_neighbours(const std::vector<Eigen::Vector3f>& cloud,
+                    const std::vector<Eigen::Vector3f>& queries, int k, int threads,
+                    const std::function<void(size_t, std::span<const int>)>& take) {
+  search(cloud, queries, std::clamp(k, 0, static_cast<int>(cloud.size())), threads, take);
 }
 
 }  // namespace gable

@@ -2,6 +2,7 @@
 
 #include <gable/engine/scales/ordered_cloud.h>
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -25,5 +26,11 @@ Neighbours find_neighbours(const OrderedCloud& cloud, int k, int threads);
 /// place included.
 Neighbours find_neighbours(const std::vector<Eigen::Vector3f>& cloud,
                            const std::vector<Eigen::Vector3f>& queries, int k, int threads);
+
+/// The same, but each query's neighbours are handed to take(query, neighbours), on any thread and
+/// in any order, and kept nowhere: at 4 k bytes a query they soon outweigh everything else.
+void for_neighbours(const std::vector<Eigen::Vector3f>& cloud,
+                    const std::vector<Eigen::Vector3f>& queries, int k, int threads,
+                    const std::function<void(size_t, std::span<const int>)>& take);
 
 }  // namespace gable

@@ -122,6 +122,7 @@ void settle(const OrderedCloud& cloud, const Neighbours& neighbours, double epsi
   DissolveOptions dissolve;
   dissolve.deviation = relax.deviation;
   dissolve.reach = kReach * relax.deviation;
+  dissolve.threads = options.threads;
   for (int i = 0; i < kRounds; ++i) {
     relax_regions(cloud, neighbours, relax, region_of, moments);
     dissolve_regions(cloud, neighbours, dissolve, region_of, moments);

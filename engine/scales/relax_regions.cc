@@ -2,6 +2,7 @@
 #include <gable/engine/scales/relax_regions.h>
 #include <gable/engine/scales/shape_plane.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -78,9 +79,11 @@ void relax_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
       for (size_t a = begin; a < end; ++a) {
         const int p = active[a];
         choices[a] = (*region_of)[p];
-        around.count(neighbours.of(p), *region_of);
-        torn[a] = around.size() > 1 || around.region(0) != choices[a];
+        const std::span<const int> nearest = neighbours.of(p);
+        torn[a] = std::any_of(nearest.begin(), nearest.end(),
+                              [&](int q) { return (*region_of)[q] != (*region_of)[p]; });
         if (!torn[a]) continue;
+        around.count(nearest, *region_of);
         // No region at all is as good as one at a distance of epsilon.
         float best = std::numeric_limits<float>::max();
         choices[a] = -1;
