@@ -9,7 +9,8 @@ namespace gable {
 
 /// The points of a cloud summed up in the cells of a cubic grid: many points as few moments. Points
 /// of a cell follow each other in the cloud, so cells of few points are kept as where they begin,
-/// which takes less memory than their moments.
+/// which takes less memory than their moments. A cell with points within rounding of its sides or
+/// at the end of the box may be in several parts.
 class CloudCells {
  public:
   /// Sums up a cloud in the smallest cells (of 2^-i of the box's side) that hold at least

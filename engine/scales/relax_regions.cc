@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace gable {
 namespace {
@@ -67,26 +66,22 @@ void relax_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
   const float epsilon = static_cast<float>(options.epsilon);
   const float precision = static_cast<float>(0.5 / (options.deviation * options.deviation));
   const float price = static_cast<float>(options.smoothness / std::max(1, neighbours.k));
-  // Only points with several regions around them have a choice; a change may give it to others.
-  std::vector<int> active(region_of->size());
-  std::iota(active.begin(), active.end(), 0);
-  for (int sweep = 0; sweep < options.sweeps && !active.empty(); ++sweep) {
+  for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     const std::vector<RegionPlane> planes = planes_of(*moments);
-    std::vector<int> choices(active.size());
-    std::vector<char> torn(active.size());
-    for_ranges(active.size(), options.threads, [&](size_t begin, size_t end) {
+    const std::vector<int> before = *region_of;
+    for_ranges(before.size(), options.threads, [&](size_t begin, size_t end) {
       RegionCounts around;
-      for (size_t a = begin; a < end; ++a) {
-        const int p = active[a];
-        choices[a] = (*region_of)[p];
-        const std::span<const int> nearest = neighbours.of(p);
-        torn[a] = std::any_of(nearest.begin(), nearest.end(),
-                              [&](int q) { return (*region_of)[q] != (*region_of)[p]; });
-        if (!torn[a]) continue;
-        around.count(nearest, *region_of);
+      for (size_t p = begin; p < end; ++p) {
+        // Most points lie inside a region and have no choice.
+        const std::span<const int> nearest = neighbours.of(static_cast<int>(p));
+        if (std::all_of(nearest.begin(), nearest.end(),
+                        [&](int q) { return before[q] == before[p]; })) {
+          continue;
+        }
+        around.count(nearest, before);
         // No region at all is as good as one at a distance of epsilon.
         float best = std::numeric_limits<float>::max();
-        choices[a] = -1;
+        int choice = -1;
         for (size_t i = 0; i < around.size(); ++i) {
           const int region = around.region(i);
           float distance = epsilon;
@@ -97,26 +92,16 @@ void relax_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
           }
           const float cost = precision * distance * distance +
                              price * static_cast<float>(neighbours.k - around.of(i));
-          if (cost < best || (cost == best && region < choices[a])) {
+          if (cost < best || (cost == best && region < choice)) {
             best = cost;
-            choices[a] = region;
+            choice = region;
           }
         }
+        (*region_of)[p] = choice;
       }
     });
-    std::vector<char> next(region_of->size(), 0);
-    for (size_t a = 0; a < active.size(); ++a) {
-      const int p = active[a];
-      if (torn[a]) next[p] = 1;
-      if (choices[a] == (*region_of)[p]) continue;
-      (*region_of)[p] = choices[a];
-      for (int q : neighbours.of(p)) next[q] = 1;
-    }
-    active.clear();
-    for (size_t p = 0; p < next.size(); ++p) {
-      if (next[p]) active.push_back(static_cast<int>(p));
-    }
     *moments = moments_of_regions(cloud, *region_of, moments->size());
+    if (*region_of == before && sweep > 0) break;
   }
 
   std::vector<int> renumbered(moments->size(), -1);
