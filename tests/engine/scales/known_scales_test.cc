@@ -103,7 +103,8 @@ TEST(KnownScales, BeginWhereShapesAreTheKnownPlanes) {
     const int s = scene.first.shape_of[i];
     scene.truth[i] = s < 0 ? -1 : shape_of_first[s];
   }
-  EXPECT_EQ(known_scales({scene.truth}, scene.first, scene.trajectory).first, std::vector<int>{at});
+  EXPECT_EQ(known_scales({scene.truth, scene.truth}, scene.first, scene.trajectory).first,
+            (std::vector<int>{0, at}));
 }
 
 }  // namespace
