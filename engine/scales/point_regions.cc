@@ -15,6 +15,9 @@ namespace {
 constexpr double kEpsilonDeviations = 3.0;  ///< epsilon in standard deviations of inliers
 constexpr double kReach = 3.5;              ///< how far the tails of noise reach, in the same
 constexpr int kRounds = 3;                  ///< of relaxing and dissolving
+// Where a cloud has to be thinned for its surfaces to be seen, what is smaller than this share of
+// the surroundings in which they are seen is noise.
+constexpr double kLeastOfSurroundings = 0.5;
 
 // Normals that come with a scan know more than its points.
 void use_given_normals(const Scan& scan, const OrderedCloud& cloud, LocalPlanes* planes) {
@@ -111,7 +114,8 @@ class RegionGrower {
 };
 
 // Turns what growing left behind into shapes: see relax_regions and dissolve_regions.
-void settle(const OrderedCloud& cloud, const Neighbours& neighbours, double epsilon,
+void settle(const OrderedCloud& cloud, const Neighbours& neighbours,
+            const LocalPlanes& local_planes, int thinning, double epsilon,
             const FirstShapesOptions& options, std::vector<int>* region_of,
             std::vector<PointMoments>* moments) {
   RelaxOptions relax;
@@ -124,11 +128,18 @@ void settle(const OrderedCloud& cloud, const Neighbours& neighbours, double epsi
   dissolve.reach = kReach * relax.deviation;
   dissolve.threads = options.threads;
   for (int i = 0; i < kRounds; ++i) {
-    relax_regions(cloud, neighbours, relax, region_of, moments);
+    relax_regions(cloud, neighbours, local_planes, relax, region_of, moments);
     dissolve_regions(cloud, neighbours, dissolve, region_of, moments);
   }
   relax.min_inliers = options.min_inliers;
-  relax_regions(cloud, neighbours, relax, region_of, moments);
+  if (thinning > 1) {
+    const double surroundings = static_cast<double>(options.neighbours) * thinning;
+    relax.min_inliers =
+        std::max(options.min_inliers, static_cast<int>(kLeastOfSurroundings * surroundings));
+    // What belonged to the regions that are given up finds others in the sweeps after that.
+    relax_regions(cloud, neighbours, local_planes, relax, region_of, moments);
+  }
+  relax_regions(cloud, neighbours, local_planes, relax, region_of, moments);
 }
 
 }  // namespace
@@ -151,7 +162,7 @@ FirstShapes grow_point_regions(const Scan& scan, const FirstShapesOptions& optio
   for (int seed : flattest_first(planes)) grower.grow(seed);
   std::vector<int> region_of = grower.take_regions();
   first.moments = grower.take_moments();
-  settle(cloud, neighbours, epsilon, options, &region_of, &first.moments);
+  settle(cloud, neighbours, planes, noise.thinning, epsilon, options, &region_of, &first.moments);
   first.adjacent = adjacent_regions(neighbours, region_of, options.threads);
   for (int i = 0; i < cloud.size(); ++i) first.shape_of[cloud.source[i]] = region_of[i];
   return first;

@@ -61,10 +61,11 @@ class RegionCounts {
 }  // namespace
 
 void relax_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
-                   const RelaxOptions& options, std::vector<int>* region_of,
-                   std::vector<PointMoments>* moments) {
+                   const LocalPlanes& local_planes, const RelaxOptions& options,
+                   std::vector<int>* region_of, std::vector<PointMoments>* moments) {
   const float epsilon = static_cast<float>(options.epsilon);
   const float precision = static_cast<float>(0.5 / (options.deviation * options.deviation));
+  const float tilt = static_cast<float>(options.tilt);
   const float price = static_cast<float>(options.smoothness / std::max(1, neighbours.k));
   for (int sweep = 0; sweep < options.sweeps; ++sweep) {
     const std::vector<RegionPlane> planes = planes_of(*moments);
@@ -84,13 +85,14 @@ void relax_regions(const OrderedCloud& cloud, const Neighbours& neighbours,
         int choice = -1;
         for (size_t i = 0; i < around.size(); ++i) {
           const int region = around.region(i);
-          float distance = epsilon;
+          float distance = epsilon, cosine = 0.5f;
           if (region >= 0) {
             const RegionPlane& plane = planes[region];
             distance = std::abs(plane.normal.dot(cloud.positions[p]) - plane.offset);
             if (distance > epsilon) continue;
+            cosine = std::abs(plane.normal.dot(local_planes.normals[p]));
           }
-          const float cost = precision * distance * distance +
+          const float cost = precision * distance * distance + tilt * (1.0f - cosine) +
                              price * static_cast<float>(neighbours.k - around.of(i));
           if (cost < best || (cost == best && region < choice)) {
             best = cost;

@@ -25,23 +25,25 @@ std::vector<PointMoments> moments_of(const OrderedCloud& cloud, const std::vecto
 }
 
 // The energy of a point in a region, or in none, as the header has it.
-double energy(const OrderedCloud& cloud, const Neighbours& neighbours, const RelaxOptions& options,
-              const Regions& regions, int point, int region) {
-  double distance = options.epsilon;
+double energy(const OrderedCloud& cloud, const Neighbours& neighbours, const LocalPlanes& planes,
+              const RelaxOptions& options, const Regions& regions, int point, int region) {
+  double distance = options.epsilon, cosine = std::cos(M_PI / 3.0);
   if (region >= 0) {
     const ShapePlane plane = shape_plane(regions.moments[region]);
     distance = plane.normal.dot(cloud.positions[point].cast<double>() - plane.centroid);
+    cosine = std::abs(plane.normal.dot(planes.normals[point].cast<double>()));
   }
   double others = 0.0;
   for (int q : neighbours.of(point)) others += regions.of[q] != region;
   return distance * distance / (2.0 * options.deviation * options.deviation) +
-         options.smoothness * others / neighbours.k;
+         options.tilt * (1.0 - cosine) + options.smoothness * others / neighbours.k;
 }
 
 // One sweep over all points from the header's words. Where a point's two best choices are within
 // float rounding of each other, or one is at epsilon, `unsure` says so.
 Regions slow_sweep(const OrderedCloud& cloud, const Neighbours& neighbours,
-                   const RelaxOptions& options, const Regions& before, std::vector<bool>* unsure) {
+                   const LocalPlanes& planes, const RelaxOptions& options, const Regions& before,
+                   std::vector<bool>* unsure) {
   Regions after = before;
   unsure->assign(before.of.size(), false);
   for (int p = 0; p < cloud.size(); ++p) {
@@ -55,7 +57,7 @@ Regions slow_sweep(const OrderedCloud& cloud, const Neighbours& neighbours,
         if (std::abs(distance - options.epsilon) < 1e-5) (*unsure)[p] = true;
         if (distance > options.epsilon) continue;
       }
-      energies[region] = energy(cloud, neighbours, options, before, p, region);
+      energies[region] = energy(cloud, neighbours, planes, options, before, p, region);
     }
     bool inside = true;
     for (int q : neighbours.of(p)) inside = inside && before.of[q] == before.of[p];
@@ -75,6 +77,7 @@ Regions slow_sweep(const OrderedCloud& cloud, const Neighbours& neighbours,
 struct Scene {
   OrderedCloud cloud;
   Neighbours neighbours;
+  LocalPlanes planes;
   RelaxOptions options;
   Regions regions;
 };
@@ -86,6 +89,7 @@ Scene torn_box(uint64_t seed) {
   Scene scene;
   scene.cloud = order_cloud(scan.points);
   scene.neighbours = find_neighbours(scene.cloud, 12, 1);
+  scene.planes = fit_local_planes(scene.cloud, scene.neighbours, {}, 1);
   scene.options.epsilon = 0.15;
   scene.options.deviation = 0.05;
   Random random(seed);
@@ -107,9 +111,10 @@ TEST(RelaxRegions, ChooseAsTheDefinitionSaysInEverySweep) {
       RelaxOptions options = scene.options;
       options.sweeps = sweeps;
       Regions fast = scene.regions;
-      relax_regions(scene.cloud, scene.neighbours, options, &fast.of, &fast.moments);
+      relax_regions(scene.cloud, scene.neighbours, scene.planes, options, &fast.of, &fast.moments);
       std::vector<bool> unsure;
-      const Regions slow = slow_sweep(scene.cloud, scene.neighbours, options, before, &unsure);
+      const Regions slow =
+          slow_sweep(scene.cloud, scene.neighbours, scene.planes, options, before, &unsure);
       int changed = 0, sure = 0;
       for (int p = 0; p < scene.cloud.size(); ++p) {
         changed += slow.of[p] != before.of[p];
@@ -130,6 +135,7 @@ TEST(RelaxRegions, GivePointsBackToTheirSurfaces) {
   Scene scene = torn_box(4);
   scene.cloud = order_cloud(scan.points);
   scene.neighbours = find_neighbours(scene.cloud, 12, 1);
+  scene.planes = fit_local_planes(scene.cloud, scene.neighbours, {}, 1);
   const std::vector<int>& truth = scan.labels.at("truth");
   std::vector<int>& region_of = scene.regions.of;
   region_of.resize(scan.points.size());
@@ -149,7 +155,8 @@ TEST(RelaxRegions, GivePointsBackToTheirSurfaces) {
   };
   const int before = wrong();
   ASSERT_GT(before, 1000);
-  relax_regions(scene.cloud, scene.neighbours, scene.options, &region_of, &scene.regions.moments);
+  relax_regions(scene.cloud, scene.neighbours, scene.planes, scene.options, &region_of,
+                &scene.regions.moments);
   EXPECT_LT(wrong(), 0.5 * before);
 }
 
@@ -158,7 +165,7 @@ TEST(RelaxRegions, HoldTheMomentsOfTheirPointsAndGiveUpSmallOnes) {
   scene.regions.moments.resize(8);
   scene.regions.of[0] = 6;  // alone among others
   scene.options.min_inliers = 2;
-  relax_regions(scene.cloud, scene.neighbours, scene.options, &scene.regions.of,
+  relax_regions(scene.cloud, scene.neighbours, scene.planes, scene.options, &scene.regions.of,
                 &scene.regions.moments);
   ASSERT_EQ(scene.regions.moments.size(), 6u);
   const std::vector<PointMoments> moments = moments_of(scene.cloud, scene.regions.of, 6);
@@ -172,8 +179,8 @@ TEST(RelaxRegions, DoNotDependOnTheNumberOfThreads) {
   Scene one = torn_box(6), four = one;
   four.options.threads = 4;
   for (Scene* scene : {&one, &four}) {
-    relax_regions(scene->cloud, scene->neighbours, scene->options, &scene->regions.of,
-                  &scene->regions.moments);
+    relax_regions(scene->cloud, scene->neighbours, scene->planes, scene->options,
+                  &scene->regions.of, &scene->regions.moments);
   }
   EXPECT_EQ(one.regions.of, four.regions.of);
 }
