@@ -9,44 +9,10 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/scales/polygon_measures.h"
+
 namespace gable {
 namespace {
-
-const OrientedPlane kLevel(Eigen::Vector3d::UnitZ(), 0.0);
-
-double total_area(const std::vector<SpacePolygon>& polygons) {
-  double area = 0.0;
-  for (const SpacePolygon& polygon : polygons) area += area_of(polygon);
-  return area;
-}
-
-std::vector<Ring> rings_of(const std::vector<SpacePolygon>& polygons, const PlaneFrame& frame) {
-  std::vector<Ring> rings;
-  const auto add = [&](const std::vector<Eigen::Vector3d>& ring) {
-    Ring& flat = rings.emplace_back();
-    for (const Eigen::Vector3d& p : ring) flat.push_back(frame.project(p));
-  };
-  for (const SpacePolygon& polygon : polygons) {
-    add(polygon.outer);
-    for (const auto& hole : polygon.holes) add(hole);
-  }
-  return rings;
-}
-
-/// Even-odd.
-bool covers(const std::vector<SpacePolygon>& polygons, double x, double y) {
-  bool in = false;
-  for (const Ring& ring : rings_of(polygons, PlaneFrame(kLevel, Eigen::Vector3d::Zero()))) {
-    for (size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const Eigen::Vector2d &a = ring[i], &b = ring[j];
-      if ((a.y() > y) != (b.y() > y) &&
-          x < a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-        in = !in;
-      }
-    }
-  }
-  return in;
-}
 
 Scan mesh_of(const std::vector<Eigen::Vector3d>& points,
              const std::vector<std::vector<int>>& facets) {
