@@ -21,6 +21,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <utility>
 
 #include "nearest_planes.h"
@@ -164,13 +165,17 @@ void run(int count, uint64_t seed, int num_points, const std::string& path,
 int main(int argc, char** argv) {
   const char* data = std::getenv("GABLE_DATA");
   const std::string folder = data ? data : GABLE_SOURCE_DIR "/../shared/data";
+  const std::string model = argc > 4 ? argv[4] : folder + "/3dbag-delft/tile_5910.city.json";
+  if (argc <= 4 && !std::filesystem::exists(model)) {
+    std::printf("skipped: no %s; set GABLE_DATA to the folder of the data\n", model.c_str());
+    return 0;
+  }
   gable::CityJsonSurfaceOptions truth;
   if (argc > 5) truth.structure = {90.0, std::atof(argv[5])};
   try {
     gable::run(argc > 1 ? std::max(std::atoi(argv[1]), 1) : 50,
                argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1,
-               argc > 3 ? std::max(std::atoi(argv[3]), 1) : 143000,
-               argc > 4 ? argv[4] : folder + "/3dbag-delft/tile_5910.city.json", truth);
+               argc > 3 ? std::max(std::atoi(argv[3]), 1) : 143000, model, truth);
   } catch (const gable::Error& error) {
     std::fprintf(stderr, "gable_check_planes: %s\n", error.what());
     return static_cast<int>(error.code());
