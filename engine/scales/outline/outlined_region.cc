@@ -1,4 +1,4 @@
-#include <gable/engine/scales/outlined_region.h>
+#include <gable/engine/scales/outline/outlined_region.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include <gable/engine/scales/ring_simplification.h>
+#include <gable/engine/scales/outline/ring_simplification.h>
 #include <gable/grammar/random.h>
 #include <gtest/gtest.h>
 

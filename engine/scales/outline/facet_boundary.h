@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/scales/outlined_region.h>
+#include <gable/engine/scales/outline/outlined_region.h>
 
 #include <optional>
 #include <vector>

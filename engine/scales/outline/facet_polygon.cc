@@ -1,6 +1,6 @@
-#include <gable/engine/scales/facet_boundary.h>
-#include <gable/engine/scales/facet_polygon.h>
-#include <gable/engine/scales/polygon_raster.h>
+#include <gable/engine/scales/outline/facet_boundary.h>
+#include <gable/engine/scales/outline/facet_polygon.h>
+#include <gable/engine/scales/outline/polygon_raster.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/scales/outlined_region.h>
+#include <gable/engine/scales/outline/outlined_region.h>
 
 #include <Eigen/Core>
 #include <opencv2/core.hpp>

@@ -1,6 +1,6 @@
-#include <gable/engine/scales/facet_polygon.h>
-#include <gable/engine/scales/outlined_region.h>
-#include <gable/engine/scales/plane_frame.h>
+#include <gable/engine/scales/outline/facet_polygon.h>
+#include <gable/engine/scales/outline/outlined_region.h>
+#include <gable/engine/scales/outline/plane_frame.h>
 #include <gable/grammar/random.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/scales/polygon_measures.h"
+#include "engine/scales/outline/polygon_measures.h"
 
 namespace gable {
 namespace {

@@ -1,4 +1,4 @@
-#include <gable/engine/scales/raster_outline.h>
+#include <gable/engine/scales/outline/raster_outline.h>
 
 #include <algorithm>
 #include <array>

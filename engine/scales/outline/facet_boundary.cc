@@ -1,4 +1,4 @@
-#include <gable/engine/scales/facet_boundary.h>
+#include <gable/engine/scales/outline/facet_boundary.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include <gable/engine/scales/inlier_polygon.h>
-#include <gable/engine/scales/outlined_region.h>
-#include <gable/engine/scales/plane_frame.h>
-#include <gable/engine/scales/ring_simplification.h>
+#include <gable/engine/scales/outline/inlier_polygon.h>
+#include <gable/engine/scales/outline/outlined_region.h>
+#include <gable/engine/scales/outline/plane_frame.h>
+#include <gable/engine/scales/outline/ring_simplification.h>
 #include <gable/grammar/random.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-#include "engine/scales/polygon_measures.h"
+#include "engine/scales/outline/polygon_measures.h"
 
 namespace gable {
 namespace {

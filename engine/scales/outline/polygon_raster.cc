@@ -1,5 +1,5 @@
-#include <gable/engine/scales/polygon_raster.h>
-#include <gable/engine/scales/raster_outline.h>
+#include <gable/engine/scales/outline/polygon_raster.h>
+#include <gable/engine/scales/outline/raster_outline.h>
 #include <glog/logging.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include <gable/engine/scales/inlier_polygon.h>
-#include <gable/engine/scales/plane_frame.h>
-#include <gable/engine/scales/polygon_raster.h>
+#include <gable/engine/scales/outline/inlier_polygon.h>
+#include <gable/engine/scales/outline/plane_frame.h>
+#include <gable/engine/scales/outline/polygon_raster.h>
 #include <glog/logging.h>
 
 #include <algorithm>
