@@ -1,8 +1,8 @@
 #include <gable/engine/scales/collapse.h>
 #include <gable/engine/scales/detect_scales.h>
+#include <gable/engine/scales/measure_shapes.h>
 #include <gable/engine/scales/outline/facet_polygon.h>
 #include <gable/engine/scales/outline/inlier_polygon.h>
-#include <gable/engine/scales/measure_shapes.h>
 #include <gable/engine/scales/outline/outlined_region.h>
 #include <gable/engine/scales/scale_chain.h>
 #include <glog/logging.h>

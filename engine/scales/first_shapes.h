@@ -19,8 +19,8 @@ struct FirstShapesOptions {
   double max_angle = 0.4363;  ///< between an element's normal and its shape's, radians, (0, 1.5708)
   /// Of a shape of points, or of the facets of a rough mesh, [1, 1000000]. Facets always find one.
   int min_inliers = 10;
-  int neighbours = 20;        ///< k of the neighbour graph of points, [3, 200]
-  int threads = 1;            ///< [1, 1024]; the shapes do not depend on it
+  int neighbours = 20;  ///< k of the neighbour graph of points, [3, 200]
+  int threads = 1;      ///< [1, 1024]; the shapes do not depend on it
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.

@@ -16,10 +16,10 @@ std::vector<double> agreement_with(const std::vector<int>& truth, const FirstSha
                                    const Trajectory& trajectory);
 
 /// Where the scales of a trajectory begin, given the known planes of each scale, finest first. The
-/// finest begins with the trajectory, as in the paper, where it has the first shapes; its planes are
-/// not looked at. The others begin at the configurations that agree with their planes best in sum,
-/// in this order along the trajectory. Of equals the one with the most shapes is taken, since the
-/// first configuration of a scale represents it.
+/// finest begins with the trajectory, as in the paper, where it has the first shapes; its planes
+/// are not looked at. The others begin at the configurations that agree with their planes best in
+/// sum, in this order along the trajectory. Of equals the one with the most shapes is taken, since
+/// the first configuration of a scale represents it.
 ScaleLabels known_scales(const std::vector<std::vector<int>>& truths, const FirstShapes& first,
                          const Trajectory& trajectory);
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gable/engine/scales/planar_shape.h>
 #include <gable/engine/scales/outline/plane_frame.h>
 #include <gable/engine/scales/outline/ring_simplification.h>
+#include <gable/engine/scales/planar_shape.h>
 
 #include <vector>
 

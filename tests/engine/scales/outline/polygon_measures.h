@@ -1,9 +1,9 @@
 #pragma once
 
 #include <gable/engine/scales/outline/outlined_region.h>
-#include <gable/engine/scales/planar_shape.h>
-#include <gable/engine/scales/outline/ring_simplification.h>
 #include <gable/engine/scales/outline/plane_frame.h>
+#include <gable/engine/scales/outline/ring_simplification.h>
+#include <gable/engine/scales/planar_shape.h>
 
 #include <Eigen/Core>
 #include <vector>
