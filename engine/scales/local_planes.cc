@@ -19,6 +19,8 @@ constexpr double kLine = 1e-3;
 // many are flat as ever.
 constexpr double kMost = 0.5;
 constexpr double kNearly = 0.8;
+// Where fewer are flat, the surfaces are not seen yet.
+constexpr double kFewest = 0.1;
 // Points of a neighbourhood in a noisy cloud, over those that reach as far as in the thinned cloud.
 constexpr double kWide = 0.5;
 constexpr size_t kNumSamples = 2000;
@@ -99,6 +101,9 @@ SurfaceNoise estimate_surface_noise(const OrderedCloud& cloud, int neighbours, i
     seen.push_back({taken * median(flat), thinning});
     shares.push_back(static_cast<double>(flat.size()) / std::max<double>(1.0, planes));
     if (shares.back() >= kMost) return seen.back();
+    // Past the best; in a wide scene all of it looks flat in the end.
+    const double best = *std::max_element(shares.begin(), shares.end());
+    if (best > kFewest && shares.back() < kNearly * best) break;
   }
   const double enough = kNearly * *std::max_element(shares.begin(), shares.end());
   for (size_t i = 0; i < seen.size(); ++i) {

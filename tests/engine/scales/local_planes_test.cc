@@ -1,5 +1,6 @@
 #include <gable/engine/scales/first_shapes.h>
 #include <gable/engine/scales/local_planes.h>
+#include <gable/grammar/random.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,6 +93,21 @@ TEST(LocalPlanes, DoNotDependOnTheNumberOfThreads) {
     EXPECT_EQ(one.normals, four.normals);
     EXPECT_EQ(one.deviations, four.deviations);
   }
+}
+
+// Bare ground and trees up to 12 m high in stripes of 12 m, 300 x 300 m: as a whole it is flat, but
+// its surfaces are thin.
+TEST(SurfaceNoise, OfAWideSceneIsNotTheHeightOfItsTrees) {
+  Random random(8);
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i < 60000; ++i) {
+    const double x = random.uniform(0, 300), y = random.uniform(0, 300);
+    const bool bare = static_cast<int>(x / 12) % 2 == 0;
+    points.push_back({x, y, bare ? random.normal(0.02) : random.uniform(0, 12)});
+  }
+  const SurfaceNoise noise = estimate_surface_noise(order_cloud(points), 20, 2);
+  EXPECT_EQ(noise.thinning, 1);
+  EXPECT_LT(noise.deviation, 0.05);
 }
 
 }  // namespace
