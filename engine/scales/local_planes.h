@@ -20,9 +20,9 @@ struct SurfaceNoise {
 };
 
 /// Looks at the neighbourhoods of a sample of points in the cloud, in every second, fourth and so
-/// on of its points, until most of them are flat, or fewer again. With noise much larger than the distance between
-/// points, the nearest points are a ball that says nothing about the surface, which is only seen
-/// from some three times the noise on; a thinner cloud has wider neighbourhoods.
+/// on of its points, until most of them are flat, or fewer again. With noise much larger than the
+/// distance between points, the nearest points are a ball that says nothing about the surface,
+/// which is only seen from some three times the noise on; a thinner cloud has wider neighbourhoods.
 /// `neighbours`: half the points of a neighbourhood.
 SurfaceNoise estimate_surface_noise(const OrderedCloud& cloud, int neighbours, int threads);
 
