@@ -1,0 +1,49 @@
+#pragma once
+
+#include <gable/grammar/house.h>
+#include <gable/grammar/raster.h>
+#include <gable/grammar/solid/extrusion.h>
+#include <gable/grammar/synthesis/prior.h>
+
+#include <cstdint>
+#include <string>
+
+namespace gable {
+
+/// How varied the scenes are that detectors are trained on. Every value is the most that a scene
+/// may have; scenes draw theirs between nothing and that.
+struct TrainingSceneOptions {
+  double least_gsd = 0.25;       ///< metres, [0.1, 2]
+  double most_gsd = 1.0;         ///< metres, >= least_gsd, <= 2
+  double neighbour_share = 0.35;  ///< houses with a neighbour across a party wall or close by, [0, 1]
+  double tree_share = 0.45;      ///< houses with trees or hedges that touch them, [0, 1]
+  double car_share = 0.3;        ///< houses with cars in front, [0, 1]
+  double hole_share = 0.25;      ///< surveys with missing cells, [0, 1]
+  double smooth_share = 0.4;     ///< surveys whose edges are smoothed, [0, 1]
+  double terrain_error = 0.4;    ///< terrain left over in the surface, metres, [0, 2]
+  PriorOptions prior;            ///< of the details
+
+  /// Empty, or one line that names the bound that does not hold.
+  std::string check() const;
+};
+
+/// One building as a survey shows it, with what it is.
+struct TrainingScene {
+  Foundation foundation = Foundation::kC;  ///< kC: beyond the grammar, or no building
+  House house;                             ///< the truth; not read where `foundation` is kC
+  /// What stands there, world: house with garages, or the composite; a known outline. Empty for
+  /// what is no building (trees).
+  PlanPolygon outline;
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< a world point on the building
+  HeightRaster dsm;    ///< surveyed, NaN: missing
+  HeightRaster dtm;    ///< the terrain as a survey derives it: smooth, a little wrong
+  HeightRaster truth;  ///< noise-free world heights of the building alone, NaN elsewhere
+};
+
+/// A scene of the given foundation, kC among them: a building of random derivation in a random
+/// sensor grid, with neighbours, trees, hedges, cars, missing cells, smoothed edges and the paper's
+/// noise (NPR section 5.4). The same seed and options give the same scene, bit for bit.
+TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
+                                  const TrainingSceneOptions& options);
+
+}  // namespace gable
