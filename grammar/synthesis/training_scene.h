@@ -35,6 +35,8 @@ struct TrainingScene {
   /// what is no building (trees).
   PlanPolygon outline;
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< a world point on the building
+  /// A neighbour touches, so that the heights alone do not part the two.
+  bool outline_needed = false;
   HeightRaster dsm;    ///< surveyed, NaN: missing
   HeightRaster dtm;    ///< the terrain as a survey derives it: smooth, a little wrong
   HeightRaster truth;  ///< noise-free world heights of the building alone, NaN elsewhere
