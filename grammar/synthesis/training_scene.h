@@ -13,15 +13,16 @@ namespace gable {
 /// How varied the scenes are that detectors are trained on. Every value is the most that a scene
 /// may have; scenes draw theirs between nothing and that.
 struct TrainingSceneOptions {
-  double least_gsd = 0.25;       ///< metres, [0.1, 2]
-  double most_gsd = 1.0;         ///< metres, >= least_gsd, <= 2
-  double neighbour_share = 0.35;  ///< houses with a neighbour across a party wall or close by, [0, 1]
-  double tree_share = 0.45;      ///< houses with trees or hedges that touch them, [0, 1]
-  double car_share = 0.3;        ///< houses with cars in front, [0, 1]
-  double hole_share = 0.25;      ///< surveys with missing cells, [0, 1]
-  double smooth_share = 0.4;     ///< surveys whose edges are smoothed, [0, 1]
-  double terrain_error = 0.4;    ///< terrain left over in the surface, metres, [0, 2]
-  PriorOptions prior;            ///< of the details
+  double least_gsd = 0.25;  ///< metres, [0.1, 2]
+  double most_gsd = 1.0;    ///< metres, >= least_gsd, <= 2
+  double neighbour_share =
+      0.35;                    ///< houses with a neighbour across a party wall or close by, [0, 1]
+  double tree_share = 0.45;    ///< houses with trees or hedges that touch them, [0, 1]
+  double car_share = 0.3;      ///< houses with cars in front, [0, 1]
+  double hole_share = 0.25;    ///< surveys with missing cells, [0, 1]
+  double smooth_share = 0.4;   ///< surveys whose edges are smoothed, [0, 1]
+  double terrain_error = 0.4;  ///< terrain left over in the surface, metres, [0, 2]
+  PriorOptions prior;          ///< of the details
 
   /// Empty, or one line that names the bound that does not hold.
   std::string check() const;
@@ -35,9 +36,12 @@ struct TrainingScene {
   /// what is no building (trees).
   PlanPolygon outline;
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< a world point on the building
-  HeightRaster dsm;    ///< surveyed, NaN: missing
+  HeightRaster dsm;                                  ///< surveyed, NaN: missing
   HeightRaster dtm;    ///< the terrain as a survey derives it: smooth, a little wrong
   HeightRaster truth;  ///< noise-free world heights of the building alone, NaN elsewhere
+  /// Another building touches this one, or is closer than 1.5 cells: heights alone do not tell
+  /// where it ends, so crops are cut by `outline`.
+  bool outline_needed = false;
 };
 
 /// A scene of the given foundation, kC among them: a building of random derivation in a random
