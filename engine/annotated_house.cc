@@ -33,10 +33,14 @@ std::optional<RoofType> roof_type_from_name(std::string_view name) {
 
 int num_annotated_rectangles(Foundation foundation) {
   switch (foundation) {
-    case Foundation::kI: return 1;
-    case Foundation::kII: return 2;
-    case Foundation::kIII: return 3;
-    default: return 0;
+    case Foundation::kI:
+      return 1;
+    case Foundation::kII:
+      return 2;
+    case Foundation::kIII:
+      return 3;
+    default:
+      return 0;
   }
 }
 

@@ -5,7 +5,8 @@
 namespace gable {
 
 Eigen::Vector2d CropFrame::world_from_crop(const Eigen::Vector2d& crop) const {
-  return north_west + Eigen::Rotation2Dd(azimuth) * Eigen::Vector2d(pixel * crop.x(), -pixel * crop.y());
+  return north_west +
+         Eigen::Rotation2Dd(azimuth) * Eigen::Vector2d(pixel * crop.x(), -pixel * crop.y());
 }
 
 Eigen::Vector2d CropFrame::crop_from_world(const Eigen::Vector2d& world) const {

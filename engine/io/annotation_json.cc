@@ -85,10 +85,9 @@ std::vector<RoofType> roofs(const Json& json, const std::string& key) {
   require(list.is_array(), "\"" + key + "\" is no list");
   std::vector<RoofType> roofs;
   for (const Json& item : list) {
-    const auto type =
-        item.is_string() ? roof_type_from_name(item.get<std::string>()) : std::nullopt;
+    const auto type = roof_type_from_name(item.is_string() ? item.get<std::string>() : "");
     require(type.has_value(), "\"" + key + "\" has something that is none of flat, gable, hip");
-    roofs.push_back(*type);
+    roofs.push_back(type.value());
   }
   return roofs;
 }

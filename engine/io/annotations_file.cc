@@ -80,8 +80,9 @@ AnnotatedHouse house_from_json(const Json& json) {
 }  // namespace
 
 void write_annotations(const std::string& path, const AnnotatedTile& tile) {
-  std::string text = "{\"format\":\"" + std::string(kFormat) + "\",\"version\":1,\"tile\":" +
-                     quoted(tile.tile) + ",\"crs\":" + quoted(tile.crs) + ",\"gsd\":";
+  std::string text = "{\"format\":\"" + std::string(kFormat) +
+                     "\",\"version\":1,\"tile\":" + quoted(tile.tile) +
+                     ",\"crs\":" + quoted(tile.crs) + ",\"gsd\":";
   append_number(tile.gsd, &text);
   text += ",\n\"houses\":[";
   for (size_t i = 0; i < tile.houses.size(); ++i) {

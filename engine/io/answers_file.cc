@@ -82,8 +82,9 @@ HouseAnswer house_from_json(const Json& json) {
 }  // namespace
 
 void write_answers(const std::string& path, const HouseAnswers& answers) {
-  std::string text = "{\"format\":\"" + std::string(kFormat) + "\",\"version\":1,\"tile\":" +
-                     quoted(answers.tile) + ",\"crs\":" + quoted(answers.crs) + ",\"gsd\":";
+  std::string text = "{\"format\":\"" + std::string(kFormat) +
+                     "\",\"version\":1,\"tile\":" + quoted(answers.tile) +
+                     ",\"crs\":" + quoted(answers.crs) + ",\"gsd\":";
   append_number(answers.gsd, &text);
   text += ",\n\"houses\":[";
   for (size_t i = 0; i < answers.houses.size(); ++i) {

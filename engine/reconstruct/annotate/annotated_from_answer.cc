@@ -130,8 +130,8 @@ AnnotatedHouse annotated_from_answer(const HouseAnswer& answer, const std::strin
   const size_t corners = static_cast<size_t>(num_annotated_corners(answer.foundation));
   check.require(answer.confidence.has_value(), "give its \"confidence\": high, medium or low");
   check.require(answer.rectangles.size() == rectangles,
-                "foundation " + name + " wants " + std::to_string(rectangles) + " rectangles, not " +
-                    std::to_string(answer.rectangles.size()));
+                "foundation " + name + " wants " + std::to_string(rectangles) +
+                    " rectangles, not " + std::to_string(answer.rectangles.size()));
   check.require(answer.roofs.size() == roofs, "foundation " + name + " wants " +
                                                   std::to_string(roofs) + " roofs, not " +
                                                   std::to_string(answer.roofs.size()));

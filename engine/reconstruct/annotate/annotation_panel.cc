@@ -27,7 +27,8 @@ constexpr Color kChimneyColor{255, 60, 60};
 /// Bilinear between the cell centres; NaN where one of the four has no height.
 double height_at(const HeightRaster& dsm, const Eigen::Vector2d& world) {
   const Eigen::Vector2d cell = dsm.grid.cell_of(world);
-  const int row = static_cast<int>(std::floor(cell.x())), col = static_cast<int>(std::floor(cell.y()));
+  const int row = static_cast<int>(std::floor(cell.x())),
+            col = static_cast<int>(std::floor(cell.y()));
   if (!dsm.grid.contains(row, col) || !dsm.grid.contains(row + 1, col + 1)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -82,8 +83,8 @@ cv::Mat height_colors(const Samples& samples) {
   for (int row = 0; row < kSide; ++row) {
     for (int col = 0; col < kSide; ++col) {
       const double z = samples.height(row, col) / samples.top;
-      share(row, col) =
-          static_cast<uint8_t>(std::lround(255.0 * std::clamp(std::isfinite(z) ? z : 0.0, 0.0, 1.0)));
+      share(row, col) = static_cast<uint8_t>(
+          std::lround(255.0 * std::clamp(std::isfinite(z) ? z : 0.0, 0.0, 1.0)));
     }
   }
   cv::Mat colors;
@@ -96,8 +97,8 @@ cv::Mat height_colors(const Samples& samples) {
         color = bgr(kNoDataColor);
       } else if (std::isfinite(sx) && std::isfinite(sy)) {
         // The light stands 45 degrees high in the top left corner.
-        const double light =
-            std::clamp(0.5 * (sx - sy + std::sqrt(2.0)) / std::sqrt(sx * sx + sy * sy + 1.0), 0.0, 1.0);
+        const double light = std::clamp(
+            0.5 * (sx - sy + std::sqrt(2.0)) / std::sqrt(sx * sx + sy * sy + 1.0), 0.0, 1.0);
         for (int k = 0; k < 3; ++k) {
           color[k] = cv::saturate_cast<uint8_t>(color[k] * (0.35 + 0.9 * light));
         }
@@ -147,7 +148,8 @@ void draw_answer(const HouseAnswer& answer, cv::Mat* panel) {
     cv::circle(*panel, pixel_of(p), 5, scalar(kDormerColor), 1, cv::LINE_AA);
   }
   for (const Eigen::Vector2d& p : answer.chimneys) {
-    cv::drawMarker(*panel, pixel_of(p), scalar(kChimneyColor), cv::MARKER_SQUARE, 8, 1, cv::LINE_AA);
+    cv::drawMarker(*panel, pixel_of(p), scalar(kChimneyColor), cv::MARKER_SQUARE, 8, 1,
+                   cv::LINE_AA);
   }
 }
 
@@ -179,10 +181,12 @@ void draw_crosses(cv::Mat* panel) {
 void place(const cv::Mat& panel, int left, cv::Mat* canvas) {
   const cv::Rect box(left, kTop, kSide, kSide);
   panel.copyTo((*canvas)(box));
-  cv::rectangle(*canvas, cv::Rect(box.x - 1, box.y - 1, kSide + 2, kSide + 2), scalar(kInkColor), 1);
+  cv::rectangle(*canvas, cv::Rect(box.x - 1, box.y - 1, kSide + 2, kSide + 2), scalar(kInkColor),
+                1);
   for (int t = 0; t <= kCropSize; t += kTickStep) {
     const int at = t * kScale;
-    cv::line(*canvas, {left + at, kTop + kSide}, {left + at, kTop + kSide + 4}, scalar(kInkColor), 1);
+    cv::line(*canvas, {left + at, kTop + kSide}, {left + at, kTop + kSide + 4}, scalar(kInkColor),
+             1);
     cv::line(*canvas, {left - 5, kTop + at}, {left - 1, kTop + at}, scalar(kInkColor), 1);
     draw_text(*canvas, std::to_string(t), {left + at, kTop + kSide + 16}, 0.36, kInkColor,
               TextAnchor::kMiddle);

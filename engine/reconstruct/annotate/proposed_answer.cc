@@ -88,7 +88,8 @@ void propose_house(const House& house, HouseAnswer* answer) {
     }
   }
   for (const Rule& dormer : house.dormers) {
-    answer->dormers.push_back(to_crop(dormer[param::dormer::kCenterX], dormer[param::dormer::kCenterY]));
+    answer->dormers.push_back(
+        to_crop(dormer[param::dormer::kCenterX], dormer[param::dormer::kCenterY]));
   }
   for (const Rule& chimney : house.chimneys) {
     answer->chimneys.push_back(
