@@ -16,9 +16,11 @@ struct RealSampleOptions {
   /// By how much the best hypothesis of any other foundation type must be dearer, in units of the
   /// penalised cost and for each square root of a hundred pixels, >= 0.
   double least_gap = 15.0;
+  double least_iou = 0.8;  ///< of the house's outline and the building's pixels, [0, 1]
   /// What is further than this from the heights, whatever is tried, is beyond the grammar, metres,
   /// >= most_mad.
   double beyond_mad = 0.9;
+  double beyond_area = 150.0;  ///< smaller ones are not called that, square metres, >= 0
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
@@ -30,6 +32,9 @@ enum class RealSampleVerdict { kHouse, kBeyondGrammar, kPoorFit, kCloseSecond };
 /// How far the best hypothesis is ahead of the best of any other foundation type in penalised cost;
 /// infinite where no other came to the end, 0 where nothing was found.
 double lead_of(const HouseChoice& choice);
+
+/// Intersection over union of a building's pixels and those that its house, garages with it, covers.
+double outline_iou(const TileBuilding& building);
 
 RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& options);
 
