@@ -16,7 +16,7 @@ struct RealSampleOptions {
   /// By how much the best hypothesis of any other foundation type must be dearer, in units of the
   /// penalised cost and for each square root of a hundred pixels, >= 0.
   double least_gap = 15.0;
-  double least_iou = 0.8;  ///< of the house's outline and the building's pixels, [0, 1]
+  double least_iou = 0.65;  ///< of the house's outline and the building's pixels, [0, 1]
   /// What is further than this from the heights, whatever is tried, is beyond the grammar, metres,
   /// >= most_mad.
   double beyond_mad = 0.9;
