@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "examples/cli/annotate_command.h"
 #include "examples/cli/common_options.h"
 #include "examples/cli/evaluate_command.h"
 #include "examples/cli/interrupt.h"
@@ -54,6 +55,7 @@ int run_program(int argc, char** argv) {
   add_reconstruct_command(&app, context);
   add_refine_command(&app, context);
   add_evaluate_command(&app, context);
+  add_annotate_command(&app, context);
   add_shapes_command(&app, context);
   add_label_command(&app, context);
   try {
