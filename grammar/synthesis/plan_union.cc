@@ -9,7 +9,6 @@
 namespace gable {
 namespace {
 
-using Ring = std::vector<Eigen::Vector2d>;
 
 constexpr double kFlatCorner = 0.005;  // corners that stand out less are dropped, metres
 constexpr double kLeastHole = 0.1;     // smaller holes are gaps between parts, metres squared
@@ -129,15 +128,6 @@ bool cross_each_other(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
 }
 
 }  // namespace
-
-double signed_area(const Ring& ring) {
-  double twice = 0.0;
-  // Relative to the first point: world coordinates are large.
-  for (size_t k = 1; k + 1 < ring.size(); ++k) {
-    twice += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
-  }
-  return 0.5 * twice;
-}
 
 bool ring_holds(const Ring& ring, const Eigen::Vector2d& p) {
   bool inside = false;

@@ -1,14 +1,12 @@
 #pragma once
 
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/extrusion.h>
 
 #include <Eigen/Core>
 #include <vector>
 
 namespace gable {
-
-/// Area of a ring, metres squared; negative where it runs clockwise.
-double signed_area(const std::vector<Eigen::Vector2d>& ring);
 
 /// Even-odd rule for a point that lies on no edge.
 bool ring_holds(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& point);
