@@ -52,7 +52,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("trained", nargs="+", help="folders that train.py wrote")
     parser.add_argument("--data", required=True, help="folder of shards, to calibrate and score on")
-    parser.add_argument("--real", help="folder of shards of real crops, to score on as well")
+    parser.add_argument("--real", nargs="+", default=[],
+                        help="folders of real crops, to score on as well")
     parser.add_argument("--crops", type=int, default=6000, help="of each to score on, at most")
     parser.add_argument("-o", "--out", required=True, help="folder of the ONNX files")
     parser.add_argument("--threads", type=int, default=1)
@@ -61,12 +62,11 @@ def main() -> None:
     out = Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
     datasets = {"synthesised": Dataset(options.data)}
-    if options.real:
-        datasets["real"] = Dataset(options.real)
+    datasets.update({Path(folder).name: Dataset(folder) for folder in options.real})
     for folder in options.trained:
         network = load_trained(folder)
         task = TASKS[network.NAME]()
-        scores = {}
+        scores = {"of": {}}
         for kind, dataset in datasets.items():
             rows = task.rows(dataset, dataset.split()[1])
             rows = rows[:: max(1, -(-len(rows) // options.crops))]
@@ -76,8 +76,10 @@ def main() -> None:
                 calibrate(network, thresholds)
                 scores["thresholds before calibration"] = thresholds
                 rows = rows[1::2]
-            scores[kind] = {"crops": len(rows), **task.evaluate(network, dataset, rows)}
-            print(f"{network.NAME}, {len(rows)} {kind}: {brief(scores[kind])}")
+            if len(rows):
+                found = {"crops": len(rows), **task.evaluate(network, dataset, rows)}
+                scores["of"][kind] = found
+                print(f"{network.NAME}, {len(rows)} crops of {kind}: {brief(found)}")
         deployed = Deployed(network)
         check_batches(deployed, torch.rand(32, network.INPUT_CHANNELS, CROP_SIZE, CROP_SIZE) * 255)
         path = out / f"{network.NAME}.onnx"
