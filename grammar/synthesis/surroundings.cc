@@ -178,14 +178,17 @@ void plant_garden(const PlanRing& outline, Random* random, Greenery* greenery) {
     const WallPoint wall = random_wall_point(outline, random);
     const Eigen::Vector2d along(-wall.outward.y(), wall.outward.x());
     const bool leads_away = random->chance(0.5);
-    const double near = leads_away ? random->uniform(0.9, 2.0) : random->uniform(1.5, 7.0);
+    const bool at_wall = leads_away && random->chance(0.5);
+    const double near = at_wall      ? 0.05
+                        : leads_away ? random->uniform(0.9, 2.0)
+                                     : random->uniform(1.5, 7.0);
     const Eigen::Vector2d from = wall.at + near * wall.outward;
     const double length = random->uniform(4.0, 14.0);
     const Eigen::Vector2d to = leads_away ? Eigen::Vector2d(from + length * wall.outward)
                                           : Eigen::Vector2d(from + length * along);
     const Hedge hedge = random_hedge(from, to, random);
     const PlanRing strip = {from, to, to};
-    if (ring_distance(outline, strip) > 0.5 * hedge.width + 0.3) {
+    if (ring_distance(outline, strip) > (at_wall ? 0.0 : 0.5 * hedge.width + 0.3)) {
       greenery->hedges.push_back(hedge);
     }
   }
