@@ -28,7 +28,7 @@ struct HouseCrop {
   double pixel = 0.5;                                    ///< metres
   double top = 0.0;  ///< height over the terrain that depth 255 stands for, metres, > 0
   /// Rows of pixels, channel after channel. Normals are of unit length in the house frame; x and y
-  /// map [-1, 1] to [0, 255], z maps [0, 1]. Depth maps heights over the terrain in [0, top].
+  /// map [-1, 1] to [0, 255], z maps [0, 1]. Depth maps heights over the terrain in [0, top], the third highest of the building.
   std::array<uint8_t, kCropChannels * kCropPixels> channels{};
   /// 1: the building stands here, higher than 2 m over the terrain.
   std::array<uint8_t, kCropPixels> mask{};

@@ -7,9 +7,11 @@
 #include <iostream>
 #include <string>
 
+#include "examples/cli/annotate_command.h"
 #include "examples/cli/common_options.h"
 #include "examples/cli/evaluate_command.h"
 #include "examples/cli/interrupt.h"
+#include "examples/cli/label_command.h"
 #include "examples/cli/reconstruct_command.h"
 #include "examples/cli/refine_command.h"
 #include "examples/cli/shapes_command.h"
@@ -53,7 +55,9 @@ int run_program(int argc, char** argv) {
   add_reconstruct_command(&app, context);
   add_refine_command(&app, context);
   add_evaluate_command(&app, context);
+  add_annotate_command(&app, context);
   add_shapes_command(&app, context);
+  add_label_command(&app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,6 @@
 #include "examples/cli/synthesize_command.h"
 
+#include <gable/engine/dataset/write_dataset.h>
 #include <gable/engine/error.h>
 #include <gable/engine/evaluate/evaluation.h>
 #include <gable/engine/io/build_model.h>
@@ -13,8 +14,8 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <system_error>
 
+#include "examples/cli/new_folder.h"
 #include "examples/cli/progress.h"
 
 namespace gable {
@@ -23,26 +24,19 @@ namespace {
 /// The British National Grid: the houses are English.
 constexpr const char* kCrs = "EPSG:27700";
 
+constexpr int kMostHouses = 100000;  // of a village
+
 struct SynthesizeOptions {
   CommonOptions common;
   VillageOptions village;
   std::string folder;
+  bool dataset = false;
 };
 
 std::string house_id(size_t number) {
   char id[32];
   std::snprintf(id, sizeof(id), "house_%04zu", number + 1);
   return id;
-}
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Error(ExitCode::kCannotWrite, folder + ": the folder cannot be made" +
-                                            (error ? " (" + error.message() + ")" : std::string()) +
-                                            "; name another with -o");
-  }
 }
 
 /// The truth as buildings; their quality is the fit of the truth itself to the noisy heights.
@@ -79,8 +73,32 @@ void write_truth(const std::string& path, const Village& village, const Crs& crs
   writer->close();
 }
 
+void make_dataset(const SynthesizeOptions& options, const CommandContext& context) {
+  DatasetOptions dataset;
+  dataset.count = options.village.count;
+  dataset.seed = options.village.seed;
+  const size_t count = static_cast<size_t>(dataset.count);
+  size_t done = 0;
+  {
+    Progress progress("crops", count, progress_style(options.common.quiet), std::cerr);
+    const auto advance = [&](size_t crops) { progress.set_done(done += crops); };
+    if (!write_dataset(options.folder, dataset, options.common.num_threads(), context.stop, advance)) {
+      throw Error(ExitCode::kInterrupted, "interrupted");
+    }
+  }
+  if (!options.common.quiet) std::cout << options.folder << ": " << count << " crops\n";
+}
+
 void run(const SynthesizeOptions& options, const CommandContext& context) {
   make_folder(options.folder);
+  if (options.dataset) {
+    make_dataset(options, context);
+    return;
+  }
+  if (options.village.count > kMostHouses) {
+    throw Error(ExitCode::kUsage, "--count: a village has at most " + std::to_string(kMostHouses) +
+                                      " houses; more are made with --dataset");
+  }
   const std::filesystem::path folder(options.folder);
   const Village village = synthesize_village(options.village);
   const Crs crs = crs_from_text(kCrs);
@@ -104,21 +122,24 @@ void run(const SynthesizeOptions& options, const CommandContext& context) {
 void add_synthesize_command(CLI::App* app, const CommandContext& context) {
   auto options = std::make_shared<SynthesizeOptions>();
   CLI::App* command = app->add_subcommand(
-      "synthesize", "Make a village of random houses as a LiDAR survey would see it");
-  command->add_option("--count", options->village.count, "Houses")
+      "synthesize", "Make a village of random houses as a LiDAR survey would see it, or a training set");
+  command->add_option("--count", options->village.count, "Houses, or crops")
       ->type_name("N")
-      ->check(CLI::Range(1, 100000))
+      ->check(CLI::Range(1, 100000000))
       ->capture_default_str();
   command->add_option("--seed", options->village.seed, "The same seed gives the same files")
       ->type_name("N")
       ->capture_default_str();
-  command->add_option("--gsd", options->village.gsd, "Cell size, metres")
+  command->add_option("--gsd", options->village.gsd, "Cell size of a village, metres")
       ->type_name("METRES")
       ->check(CLI::Range(0.1, 2.0))
       ->capture_default_str();
+  command->add_flag("--dataset", options->dataset,
+                    "Crops of single houses with the detectors' targets instead of a village");
   command
       ->add_option("-o,--output", options->folder,
-                   "Folder for dsm.tif, dtm.tif, footprints.gpkg and truth.city.jsonl")
+                   "Folder for dsm.tif, dtm.tif, footprints.gpkg and truth.city.jsonl; with "
+                   "--dataset for NPY shards and dataset.json")
       ->type_name("DIR")
       ->required();
   add_common_options(command, &options->common);

@@ -1,0 +1,263 @@
+#include "examples/cli/annotate_command.h"
+
+#include <gable/engine/drawing/report_file.h>
+#include <gable/engine/error.h>
+#include <gable/engine/io/annotations_file.h>
+#include <gable/engine/io/answers_file.h>
+#include <gable/engine/io/atomic_file.h>
+#include <gable/engine/io/footprint_file.h>
+#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/staged_folder.h>
+#include <gable/engine/reconstruct/annotate/annotated_from_answer.h>
+#include <gable/engine/reconstruct/annotate/annotation_panel.h>
+#include <gable/engine/reconstruct/annotate/annotation_sheets.h>
+#include <gable/engine/reconstruct/annotate/proposed_answer.h>
+#include <gable/engine/reconstruct/reconstruct_tile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "examples/cli/progress.h"
+
+namespace gable {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AnnotateOptions {
+  CommonOptions common;
+  std::string dsm, dtm, footprints, crs, output, apply, show;
+  std::vector<double> extent;
+  AnnotationSheetOptions sheets;
+};
+
+void say(const AnnotateOptions& options, const std::string& line) {
+  if (!options.common.quiet) std::cerr << line << std::endl;
+}
+
+std::string epsg_text(const Crs& crs) {
+  return crs.epsg > 0 ? "EPSG:" + std::to_string(crs.epsg) : "";
+}
+
+/// The raster's path below GABLE_DATA; where it does not lie there, its name.
+std::string tile_name(const std::string& dsm) {
+  const char* data = std::getenv("GABLE_DATA");
+  std::error_code none;
+  if (data != nullptr) {
+    const fs::path below = fs::weakly_canonical(dsm, none).lexically_relative(
+        fs::weakly_canonical(fs::path(data), none));
+    if (!below.empty() && *below.begin() != "..") return below.generic_string();
+  }
+  return fs::path(dsm).filename().string();
+}
+
+bool wanted(const AnnotateOptions& options, const Eigen::Vector2d& world) {
+  const std::vector<double>& e = options.extent;
+  return e.empty() ||
+         (world.x() >= e[0] && world.y() >= e[1] && world.x() < e[2] && world.y() < e[3]);
+}
+
+HeightRaster heights_around(const RasterFile& dsm, const CropFrame& frame) {
+  const Grid grid = grid_around(frame, dsm.grid());
+  if (grid.rows <= 0 || grid.cols <= 0) return {};
+  const Eigen::Vector2d first = dsm.grid().cell_of(grid.center_of(0, 0));
+  return dsm.read(static_cast<int>(std::lround(first.x())),
+                  static_cast<int>(std::lround(first.y())), grid.rows, grid.cols);
+}
+
+std::string kind_text(const HouseAnswer& answer) {
+  std::string text(foundation_name(answer.foundation));
+  for (const RoofType roof : answer.roofs) text += " " + std::string(roof_type_name(roof));
+  return text;
+}
+
+std::string title_of(size_t index, const HouseAnswer& answer) {
+  std::string title = "#" + std::to_string(index) + "  " + answer.id + "  " + kind_text(answer);
+  if (answer.confidence) title += "  " + std::string(confidence_name(*answer.confidence));
+  return title;
+}
+
+/// What somebody has already reviewed, by id.
+std::map<std::string, HouseAnswer> reviewed_before(const std::string& path,
+                                                   const HouseAnswers& anew) {
+  std::map<std::string, HouseAnswer> reviewed;
+  std::error_code none;
+  if (!fs::exists(path, none)) return reviewed;
+  HouseAnswers before = read_answers(path);
+  if (before.tile != anew.tile) {
+    throw Error(ExitCode::kBadInput, path + ": holds answers for " + before.tile + ", not " +
+                                         anew.tile + "; give another folder");
+  }
+  for (HouseAnswer& house : before.houses) {
+    if (house.reviewed) reviewed.emplace(house.id, std::move(house));
+  }
+  return reviewed;
+}
+
+AnnotationSheets sheets_into(StagedFolder* folder, const AnnotateOptions& options) {
+  return AnnotationSheets(options.sheets, [folder](const std::string& name, const cv::Mat& sheet) {
+    write_file_atomically(folder->path(name), png_bytes(sheet));
+  });
+}
+
+void propose(const AnnotateOptions& options, const CommandContext& context) {
+  const RasterFile dsm(options.dsm, {options.crs});
+  std::optional<RasterFile> dtm;
+  if (!options.dtm.empty()) {
+    dtm.emplace(options.dtm, RasterFileOptions{options.crs});
+    require_matching(dsm, *dtm);
+  } else {
+    say(options, options.dsm + ": no --dtm, so the terrain is derived from the surface");
+  }
+  TileInput input{&dsm, dtm ? &*dtm : nullptr, nullptr, nullptr};
+  FootprintFile footprints;
+  if (!options.footprints.empty()) {
+    footprints = read_footprints(options.footprints, dsm.crs(), dsm.grid());
+    input.footprints = &footprints.footprints;
+  }
+  HouseAnswers answers{tile_name(options.dsm), epsg_text(dsm.crs()), dsm.grid().gsd, {}};
+  const std::string list = (fs::path(options.output) / "answers.json").string();
+  const std::map<std::string, HouseAnswer> before = reviewed_before(list, answers);
+  StagedFolder staged(options.output);
+  AnnotationSheets sheets = sheets_into(&staged, options);
+
+  std::unique_ptr<Progress> progress;
+  TileCallbacks callbacks;
+  callbacks.begin_window = [&](int, int, size_t num_buildings) {
+    progress = std::make_unique<Progress>("buildings", num_buildings,
+                                          progress_style(options.common.quiet), std::cerr);
+  };
+  callbacks.deliver = [&](TileBuilding&& made) {
+    progress->advance();
+    if (!wanted(options, made.image.origin.head<2>())) return;
+    const auto old = before.find(made.building.id);
+    HouseAnswer answer =
+        old != before.end() ? old->second : proposed_answer(made.building, made.image);
+    answer.sheet = annotation_sheet_name(answers.houses.size(), options.sheets);
+    const HeightRaster heights = heights_around(dsm, answer.frame);
+    sheets.add(draw_annotation_panel({&answer, &heights, made.image.origin.z(), &made.image,
+                                      title_of(answers.houses.size() + 1, answer)}));
+    answers.houses.push_back(std::move(answer));
+  };
+  TileOptions tile_options;
+  tile_options.threads = options.common.num_threads();
+  const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
+  progress.reset();
+  if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
+  if (answers.houses.empty()) {
+    throw Error(ExitCode::kBadInput,
+                options.dsm + ": no building there; check --dtm, --footprints and --extent");
+  }
+  sheets.finish();
+  write_answers(staged.path("answers.json"), answers);
+  staged.commit();
+  say(options, list + ": " + std::to_string(answers.houses.size()) +
+                   " buildings; correct them by the sheets, set \"reviewed\" and \"confidence\"");
+}
+
+void apply(const AnnotateOptions& options) {
+  const HouseAnswers answers = read_answers(options.apply);
+  AnnotatedTile tile{answers.tile, answers.crs, answers.gsd, {}};
+  for (const HouseAnswer& answer : answers.houses) {
+    if (answer.reviewed) tile.houses.push_back(annotated_from_answer(answer, options.apply));
+  }
+  if (tile.houses.empty()) {
+    throw Error(ExitCode::kBadInput, options.apply + ": none of its " +
+                                         std::to_string(answers.houses.size()) +
+                                         " buildings is reviewed; set \"reviewed\" to true");
+  }
+  write_annotations(options.output, tile);
+  say(options, options.output + ": " + std::to_string(tile.houses.size()) + " of " +
+                   std::to_string(answers.houses.size()) + " buildings");
+}
+
+void show(const AnnotateOptions& options) {
+  const AnnotatedTile tile = read_annotations(options.show);
+  const RasterFile dsm(options.dsm, {options.crs});
+  if (!tile.crs.empty() && dsm.crs().epsg != 0 && tile.crs != epsg_text(dsm.crs())) {
+    throw Error(ExitCode::kBadInput, options.show + ": is in " + tile.crs + ", but " + options.dsm +
+                                         " in " + epsg_text(dsm.crs()) + "; give its own raster");
+  }
+  StagedFolder staged(options.output);
+  AnnotationSheets sheets = sheets_into(&staged, options);
+  size_t shown = 0;
+  for (const AnnotatedHouse& house : tile.houses) {
+    if (!wanted(options, house.center)) continue;
+    const HouseAnswer answer = answer_from_annotated(house);
+    const HeightRaster heights = heights_around(dsm, answer.frame);
+    if (heights.values.empty()) {
+      throw Error(ExitCode::kBadInput, options.show + ": " + house.id + " lies outside " +
+                                           options.dsm + "; give the raster " + tile.tile);
+    }
+    sheets.add(draw_annotation_panel({&answer, &heights, low_height(heights, answer.frame), nullptr,
+                                      title_of(++shown, answer)}));
+  }
+  if (shown == 0) {
+    throw Error(ExitCode::kBadInput, options.show + ": no house there; check --extent");
+  }
+  sheets.finish();
+  staged.commit();
+  say(options, options.output + ": " + std::to_string(shown) + " buildings");
+}
+
+void run(const AnnotateOptions& options, const CommandContext& context) {
+  if (!options.apply.empty()) return apply(options);
+  if (options.dsm.empty()) throw Error(ExitCode::kUsage, "annotate wants DSM (see gable --help)");
+  options.show.empty() ? propose(options, context) : show(options);
+}
+
+}  // namespace
+
+void add_annotate_command(CLI::App* app, const CommandContext& context) {
+  auto options = std::make_shared<AnnotateOptions>();
+  CLI::App* command = app->add_subcommand(
+      "annotate", "Draw sheets of real buildings, and propose what they are, to be corrected");
+  auto* dsm = command->add_option("dsm", options->dsm, "Surface heights")->type_name("DSM");
+  command->add_option("--dtm", options->dtm, "Terrain heights; without it derived")
+      ->type_name("FILE");
+  command->add_option("--footprints", options->footprints, "Outlines: every polygon is a building")
+      ->type_name("FILE");
+  command->add_option("--crs", options->crs, "Reference system of rasters that carry none")
+      ->type_name("CRS");
+  command
+      ->add_option("-o,--output", options->output,
+                   "Folder for the sheets and answers.json; with --apply the annotations (JSON)")
+      ->type_name("DIR")
+      ->required();
+  auto* apply_option =
+      command->add_option("--apply", options->apply,
+                          "Check the reviewed buildings of this answers.json and write them to -o");
+  apply_option->type_name("FILE")->excludes(dsm);
+  command
+      ->add_option("--show", options->show,
+                   "Draw sheets of these annotations over DSM instead of making proposals")
+      ->type_name("FILE")
+      ->excludes(apply_option);
+  command
+      ->add_option("--extent", options->extent,
+                   "Only buildings here: west, south, east and north in the raster's metres")
+      ->type_name("W S E N")
+      ->expected(4);
+  command
+      ->add_option("--columns", options->sheets.columns, "Buildings beside each other on a sheet")
+      ->type_name("N")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  command->add_option("--rows", options->sheets.rows, "Rows of buildings on a sheet")
+      ->type_name("N")
+      ->check(CLI::Range(1, 16))
+      ->capture_default_str();
+  add_common_options(command, &options->common);
+  command->callback([options, context] { run(*options, context); });
+}
+
+}  // namespace gable
