@@ -2,7 +2,7 @@
 find_package(Eigen3 3.4 REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
 find_package(Threads REQUIRED)
-find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs ml)
+find_package(OpenCV 4.5 REQUIRED COMPONENTS core imgproc imgcodecs ml dnn)
 find_package(GDAL 3.4 REQUIRED)
 find_package(nlohmann_json 3.9 REQUIRED)
 if(GABLE_BUILD_EXAMPLES)

@@ -9,7 +9,7 @@ foreach(floor grammar residuals engine)
 endforeach()
 if(EXISTS ${PROJECT_SOURCE_DIR}/models)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/models/ DESTINATION ${CMAKE_INSTALL_DATADIR}/gable/models
-          FILES_MATCHING PATTERN "*.scales" PATTERN "*.md")
+          FILES_MATCHING PATTERN "*.scales" PATTERN "*.onnx" PATTERN "*.md")
 endif()
 install(EXPORT gableTargets NAMESPACE gable:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/gable)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/gableConfig.cmake.in

@@ -1,6 +1,7 @@
 #include <gable/grammar/block.h>
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/plan_outline.h>
+#include <gable/grammar/ring.h>
 
 #include <algorithm>
 #include <map>
@@ -97,16 +98,6 @@ std::vector<Node> take_ring(std::multimap<Node, Node>* edges) {
     if (turn(before, ring[k], ring[(k + 1) % ring.size()]) != 0) corners.push_back(ring[k]);
   }
   return corners;
-}
-
-double signed_area(const std::vector<Eigen::Vector2d>& ring) {
-  double twice = 0.0;
-  for (size_t k = 0; k < ring.size(); ++k) {
-    const Eigen::Vector2d& a = ring[k];
-    const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
 }
 
 /// Even-odd rule for a point that lies on no edge.

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kRoughTurn = 0.026;   // rms error of a rectification that worked, radians
 constexpr double kWrongTurn = 0.14;    // most error of one that did not, radians
+constexpr double kSurelyHigh = 2.5;    // of what must be found, metres
+constexpr double kFoundShare = 0.75;   // of a building, or it is not the one of the labels
 constexpr double kOutlineShare = 0.4;  // scenes whose outline is known
 
 /// The angle modulo a quarter turn, in [0, pi / 2).
@@ -56,6 +58,18 @@ int building_of_scene(const TrainingScene& scene, const FoundHouses& found) {
   return static_cast<int>(largest - found.houses.begin());
 }
 
+/// The share of the scene's cells, those of low garages aside, that a found building holds; 1 where
+/// the scene has none.
+double found_share(const TrainingScene& scene, const FoundHouses& found, int index) {
+  int all = 0, held = 0;
+  for (size_t i = 0; i < scene.truth.values.size(); ++i) {
+    if (!(scene.truth.values[i] - scene.dtm.values[i] > kSurelyHigh)) continue;
+    ++all;
+    held += found.label.values[i] == index + 1;
+  }
+  return all > 0 ? static_cast<double>(held) / all : 1.0;
+}
+
 std::optional<HeightImage> image_of_scene(const TrainingScene& scene, Random* random) {
   const bool by_outline = random->chance(kOutlineShare) || scene.outline_needed;
   if (by_outline && !scene.outline.outer.empty()) {
@@ -66,7 +80,7 @@ std::optional<HeightImage> image_of_scene(const TrainingScene& scene, Random* ra
   }
   const FoundHouses found = find_houses(scene.dsm, scene.dtm, {});
   const int index = building_of_scene(scene, found);
-  if (index < 0) return std::nullopt;
+  if (index < 0 || found_share(scene, found, index) < kFoundShare) return std::nullopt;
   return crop_found_house(scene.dsm, scene.dtm, found, static_cast<size_t>(index), {});
 }
 

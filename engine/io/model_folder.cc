@@ -11,6 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr char kExtension[] = ".scales";
+constexpr char kDetectors[] = "detectors";
 
 }  // namespace
 
@@ -60,6 +61,20 @@ std::string find_scale_model(const std::string& model) {
                   (known.empty() ? "none is installed, set GABLE_MODELS to the folder of models"
                                  : "known are " + known) +
                   ", or give a file that ends with " + kExtension);
+}
+
+std::string find_detector_models() {
+  const std::vector<std::string> folders = model_folders();
+  for (const std::string& folder : folders) {
+    const fs::path detectors = fs::path(folder) / kDetectors;
+    std::error_code none;
+    if (fs::is_directory(detectors, none)) return detectors.string();
+  }
+  const std::string looked_in = folders.empty() ? "models" : folders.front();
+  throw Error(ExitCode::kNoInput,
+              (fs::path(looked_in) / kDetectors).string() +
+                  ": no detectors are installed here; set GABLE_MODELS to a folder that has them "
+                  "in detectors/");
 }
 
 }  // namespace gable

@@ -1,7 +1,7 @@
 #include <gable/engine/reconstruct/block_search.h>
 #include <gable/engine/reconstruct/edge_lines.h>
 #include <gable/engine/reconstruct/roof_fit.h>
-#include <gable/engine/reconstruct/wing_polygons.h>
+#include <gable/grammar/wing_polygons.h>
 #include <gable/residuals/robust_loss.h>
 
 #include <algorithm>

@@ -130,7 +130,8 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   }
   HouseChoiceOptions choice_options = options.choice;
   choice_options.outline_known = outline != nullptr;
-  const HouseChoice choice = choose_house(image, choice_options);
+  extrusion.choice = choose_house(image, choice_options);
+  const HouseChoice& choice = extrusion.choice;
   if (!choice.found) return give_extrusion("no house of the grammar explains the heights");
 
   ReconstructedBuilding house;
@@ -149,6 +150,7 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
     return give_extrusion(defect);
   }
   house.building.quality.time_ms = watch.ms();
+  house.choice = std::move(extrusion.choice);
   return house;
 }
 
@@ -159,7 +161,7 @@ ReconstructedBuilding refine_building(const Building& start, const RefinementOpt
   Building refined = start;
   if (measured_heights(*image).empty()) {
     refined.reason = "not refined: no heights there";
-    return {refined, build_model(refined)};
+    return {refined, build_model(refined), {}};
   }
   refined.reason.clear();
   const RefinementSummary summary = refine_house(*image, options, &*refined.house);
@@ -180,7 +182,7 @@ ReconstructedBuilding refine_building(const Building& start, const RefinementOpt
     model = build_model(refined);
   }
   refined.quality.time_ms = watch.ms();
-  return {std::move(refined), std::move(model)};
+  return {std::move(refined), std::move(model), {}};
 }
 
 }  // namespace gable

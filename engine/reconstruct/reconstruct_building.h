@@ -27,6 +27,7 @@ std::string check(const BuildingOptions& options);
 struct ReconstructedBuilding {
   Building building;
   BuildingModel model;
+  HouseChoice choice;  ///< what the house was chosen from; empty where none was looked for
 };
 
 /// Reconstructs one building from its heights: the house that `choose_house` finds, unless the

@@ -139,6 +139,7 @@ class TileReconstruction {
     ReconstructedBuilding made = reconstruct_building(id, out->image, outline, options_.building);
     out->building = std::move(made.building);
     out->model = std::move(made.model);
+    out->choice = std::move(made.choice);
   }
 
   void reconstruct_all(size_t count, const std::function<TileBuilding(size_t)>& make) {

@@ -49,7 +49,8 @@ struct TileBuilding {
   size_t index = 0;  ///< counts the buildings in the order of delivery
   Building building;
   BuildingModel model;
-  HeightImage image;  ///< what it was fitted to
+  HeightImage image;   ///< what it was fitted to
+  HouseChoice choice;  ///< what its house was chosen from
 };
 
 /// What a caller does with the buildings. Members may be empty.

@@ -11,6 +11,7 @@
 #include "examples/cli/common_options.h"
 #include "examples/cli/evaluate_command.h"
 #include "examples/cli/interrupt.h"
+#include "examples/cli/label_command.h"
 #include "examples/cli/reconstruct_command.h"
 #include "examples/cli/refine_command.h"
 #include "examples/cli/shapes_command.h"
@@ -56,6 +57,7 @@ int run_program(int argc, char** argv) {
   add_evaluate_command(&app, context);
   add_annotate_command(&app, context);
   add_shapes_command(&app, context);
+  add_label_command(&app, context);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -14,8 +14,8 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <system_error>
 
+#include "examples/cli/new_folder.h"
 #include "examples/cli/progress.h"
 
 namespace gable {
@@ -37,16 +37,6 @@ std::string house_id(size_t number) {
   char id[32];
   std::snprintf(id, sizeof(id), "house_%04zu", number + 1);
   return id;
-}
-
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error || !std::filesystem::is_directory(folder)) {
-    throw Error(ExitCode::kCannotWrite, folder + ": the folder cannot be made" +
-                                            (error ? " (" + error.message() + ")" : std::string()) +
-                                            "; name another with -o");
-  }
 }
 
 /// The truth as buildings; their quality is the fit of the truth itself to the noisy heights.

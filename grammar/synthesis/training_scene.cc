@@ -1,23 +1,33 @@
-#include <gable/grammar/height_field.h>
 #include <gable/grammar/plan_outline.h>
+#include <gable/grammar/synthesis/built_shape.h>
 #include <gable/grammar/synthesis/complex_shapes.h>
 #include <gable/grammar/synthesis/lidar.h>
-#include <gable/grammar/synthesis/plot.h>
+#include <gable/grammar/synthesis/neighbours.h>
+#include <gable/grammar/synthesis/plan_union.h>
+#include <gable/grammar/synthesis/roof_clutter.h>
+#include <gable/grammar/synthesis/site_ground.h>
+#include <gable/grammar/synthesis/surroundings.h>
+#include <gable/grammar/synthesis/survey_defects.h>
+#include <gable/grammar/synthesis/survey_sampling.h>
+#include <gable/grammar/synthesis/training_house.h>
 #include <gable/grammar/synthesis/training_scene.h>
-#include <gable/grammar/synthesis/vegetation.h>
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gable {
 namespace {
 
-constexpr double kMargin = 8.0;  // of the raster around the building, metres
+constexpr double kMargin = 8.0;       // of the raster around the building, metres
+constexpr double kGroveShare = 0.25;  // of kC: trees and hedges
+constexpr double kHigh = 1.8;         // what is lower is no part of a building, metres
+constexpr double kOutliers = 0.002;   // of the cells
 const Eigen::Vector2d kPlace(400000.0, 200000.0);
 
-/// Half of the surveys have cells of 0.5 or of 1 m where these are allowed.
+/// Cells of 0.5 and 1 m are what surveys have: seven in ten where these are allowed.
 double random_gsd(const TrainingSceneOptions& options, Random* random) {
   const double kind = random->uniform(0.0, 1.0);
   const double any = random->uniform(options.least_gsd, options.most_gsd);
@@ -25,44 +35,25 @@ double random_gsd(const TrainingSceneOptions& options, Random* random) {
   return common >= options.least_gsd && common <= options.most_gsd ? common : any;
 }
 
-double ring_area(const std::vector<Eigen::Vector2d>& ring) {
-  double twice = 0.0;
-  for (size_t k = 0; k < ring.size(); ++k) {
-    const Eigen::Vector2d& a = ring[k];
-    const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return 0.5 * twice;
-}
-
-/// The largest piece of a house's outline, world.
-PlanPolygon world_outline(const House& house) {
-  PlanPolygon largest;
-  for (PlanPolygon& polygon : plan_outline(house)) {
-    if (largest.outer.empty() || ring_area(polygon.outer) > ring_area(largest.outer)) {
-      largest = std::move(polygon);
-    }
-  }
-  for (auto& p : largest.outer) p += house.origin.head<2>();
-  for (auto& hole : largest.holes) {
-    for (auto& p : hole) p += house.origin.head<2>();
-  }
-  return largest;
+/// Most surveys are cleaner than the paper's noise.
+double random_noise_range(const TrainingSceneOptions& options, Random* random) {
+  const double share = std::pow(random->uniform(0.0, 1.0), 1.5);
+  if (options.least_noise <= 0.0) return share * options.most_noise;
+  return options.least_noise * std::pow(options.most_noise / options.least_noise, share);
 }
 
 struct Box {
-  Eigen::Vector2d low, high;
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = -low;
+
+  void add(const Eigen::Vector2d& point, double around) {
+    low = low.cwiseMin(point - Eigen::Vector2d::Constant(around));
+    high = high.cwiseMax(point + Eigen::Vector2d::Constant(around));
+  }
+  PlanRing ring() const { return {low, {high.x(), low.y()}, high, {low.x(), high.y()}}; }
 };
 
-Box box_of(const PlanPolygon& polygon) {
-  Box box{polygon.outer.front(), polygon.outer.front()};
-  for (const auto& p : polygon.outer) {
-    box.low = box.low.cwiseMin(p);
-    box.high = box.high.cwiseMax(p);
-  }
-  return box;
-}
-
+/// The cells of a survey, which lie on multiples of their size, around a box.
 Grid grid_around(const Box& box, double gsd) {
   Grid grid;
   grid.gsd = gsd;
@@ -74,61 +65,87 @@ Grid grid_around(const Box& box, double gsd) {
   return grid;
 }
 
-/// Gentle ground: a plane and a slight bend.
-class Ground {
- public:
-  Ground(const Eigen::Vector2d& center, Random* random) : center_(center) {
-    height_ = random->uniform(5.0, 150.0);
-    const double downhill = random->uniform(0.0, 2.0 * M_PI);
-    const double steepness = random->uniform(0.0, 1.0) * random->uniform(0.0, 0.1);
-    gradient_ = steepness * Eigen::Vector2d(std::cos(downhill), std::sin(downhill));
-    const double bend = random->uniform(0.0, 2.0 * M_PI);
-    bend_ = Eigen::Vector2d(std::cos(bend), std::sin(bend));
-    curvature_ = random->uniform(-0.0005, 0.0005);
-  }
-  double at(const Eigen::Vector2d& world) const {
-    const Eigen::Vector2d p = world - center_;
-    const double along = bend_.dot(p);
-    return height_ + gradient_.dot(p) + curvature_ * along * along;
-  }
-
- private:
-  Eigen::Vector2d center_, gradient_, bend_;
-  double height_ = 0.0, curvature_ = 0.0;
-};
-
-void lay_ground(const Ground& ground, HeightRaster* raster) {
-  for (int row = 0; row < raster->grid.rows; ++row) {
-    for (int col = 0; col < raster->grid.cols; ++col) {
-      raster->at(row, col) = static_cast<float>(ground.at(raster->grid.center_of(row, col)));
+/// The largest piece of a placed house's outline, world.
+PlanPolygon world_outline(const House& house) {
+  PlanPolygon largest;
+  for (PlanPolygon& polygon : plan_outline(house)) {
+    if (largest.outer.empty() || signed_area(polygon.outer) > signed_area(largest.outer)) {
+      largest = std::move(polygon);
     }
   }
-}
-
-/// Trees whose crowns reach over the outline's walls by up to a metre.
-void plant_trees(const House& house, Random* random, TrainingScene* scene) {
-  const Plot plot(house);
-  const int count = random->integer(1, 3);
-  for (int i = 0; i < count; ++i) {
-    const double direction = random->uniform(0.0, 2.0 * M_PI);
-    const Eigen::Vector2d outward(std::cos(direction), std::sin(direction));
-    Tree tree = random_tree(Eigen::Vector2d::Zero(), random);
-    const double away = plot.edge_towards(outward) + tree.radius + random->uniform(-1.0, 1.5);
-    tree.center = house.origin.head<2>() + away * outward;
-    add_tree(tree, scene->dtm, random, &scene->dsm);
+  for (auto& p : largest.outer) p += house.origin.head<2>();
+  for (auto& hole : largest.holes) {
+    for (auto& p : hole) p += house.origin.head<2>();
   }
+  return largest;
 }
 
-/// A grove: what is high and no building.
-void plant_grove(Random* random, const Box& box, TrainingScene* scene) {
-  const int count = random->integer(1, 7);
-  for (int i = 0; i < count; ++i) {
-    const Eigen::Vector2d at(random->uniform(box.low.x(), box.high.x()),
-                             random->uniform(box.low.y(), box.high.y()));
-    Tree tree = random_tree(i == 0 ? scene->center : at, random);
-    if (i == 0) tree.radius = std::max(tree.radius, 3.0);
-    tree.height = std::max(tree.height, 5.0);
-    add_tree(tree, scene->dtm, random, &scene->dsm);
+/// What stands in a scene.
+struct Site {
+  BuiltShape building;  ///< empty: a grove
+  BuiltShape others;    ///< neighbours, sheds, cars
+  Greenery greenery;
+  PlanRing around;  ///< the building's outline, or the box around a grove
+};
+
+void place_building(Foundation foundation, const TrainingSceneOptions& options,
+                    const Eigen::Vector3d& at, Random* random, TrainingScene* scene, Site* site) {
+  scene->foundation = foundation;
+  if (foundation != Foundation::kC) {
+    scene->house = random_training_house(foundation, random, options.prior);
+    scene->house.origin = at;
+    site->building = shape_of(scene->house);
+    scene->outline = world_outline(scene->house);
+  } else if (random->chance(kGroveShare)) {
+    scene->center = at.head<2>();
+    site->greenery = random_grove(scene->center, random);
+    Box box;
+    for (const Tree& tree : site->greenery.trees) box.add(tree.center, tree.radius);
+    for (const Hedge& hedge : site->greenery.hedges) {
+      box.add(hedge.from, hedge.width);
+      box.add(hedge.to, hedge.width);
+    }
+    site->around = box.ring();
+    return;
+  } else {
+    site->building = random_complex(random);
+    site->building.move(at);
+    scene->outline = outline_of(site->building);
+  }
+  site->around = scene->outline.outer;
+  scene->center = site->building.parts[0].center;
+}
+
+void add_neighbours(const TrainingScene& scene, double ground, double share, Random* random,
+                    Site* site) {
+  const auto add = [&](NeighbourKind kind) {
+    site->others.append(scene.foundation == Foundation::kC
+                            ? random_neighbours(kind, site->around, ground, random)
+                            : random_neighbours(kind, scene.house, random));
+  };
+  const bool is_building = !site->building.parts.empty();
+  if (is_building && random->chance(share)) {
+    add(random->chance(0.65) ? NeighbourKind::kPartyWall : NeighbourKind::kClose);
+  }
+  if (random->chance(share)) add(NeighbourKind::kApart);
+}
+
+/// Whether anything as high as a building is closer to it than `reach`.
+bool is_joined(const Site& site, const SiteGround& ground, double reach) {
+  return std::any_of(site.others.parts.begin(), site.others.parts.end(),
+                     [&](const BuiltPart& part) {
+                       return part.eaves + part.rise > ground.at(part.center) + kHigh &&
+                              ring_distance(site.around, part.ring()) < reach;
+                     });
+}
+
+void set_truth(const BuiltShape& building, HeightRaster* truth) {
+  const Grid& grid = truth->grid;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int col = 0; col < grid.cols; ++col) {
+      const double height = building.at(grid.center_of(row, col));
+      if (std::isfinite(height)) truth->at(row, col) = static_cast<float>(height);
+    }
   }
 }
 
@@ -140,9 +157,18 @@ std::string TrainingSceneOptions::check() const {
   const auto is_share = [](double share) { return share >= 0.0 && share <= 1.0; };
   if (!is_share(neighbour_share)) return "neighbour_share must be in [0, 1]";
   if (!is_share(tree_share)) return "tree_share must be in [0, 1]";
+  if (!is_share(garden_share)) return "garden_share must be in [0, 1]";
+  if (!is_share(shed_share)) return "shed_share must be in [0, 1]";
   if (!is_share(car_share)) return "car_share must be in [0, 1]";
+  if (!is_share(clutter_share)) return "clutter_share must be in [0, 1]";
   if (!is_share(hole_share)) return "hole_share must be in [0, 1]";
   if (!is_share(smooth_share)) return "smooth_share must be in [0, 1]";
+  if (!is_share(off_center_share)) return "off_center_share must be in [0, 1]";
+  if (!is_share(outlier_share)) return "outlier_share must be in [0, 1]";
+  if (!(most_noise >= 0.0 && most_noise <= 2.0)) return "most_noise must be in [0, 2]";
+  if (!(least_noise >= 0.0 && least_noise <= most_noise)) {
+    return "least_noise must be in [0, most_noise]";
+  }
   if (!(terrain_error >= 0.0 && terrain_error <= 2.0)) return "terrain_error must be in [0, 2]";
   return prior.check();
 }
@@ -151,45 +177,78 @@ TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
                                   const TrainingSceneOptions& options) {
   assert(options.check().empty());
   Random random(seed);
+  // Each has its own generator, so that one share changes nothing of the rest.
   Random for_survey = random.fork(), for_building = random.fork(), for_ground = random.fork();
-  Random for_trees = random.fork();
-  const double gsd = random_gsd(options, &for_survey);
+  Random for_neighbours = random.fork(), for_sheds = random.fork(), for_cars = random.fork();
+  Random for_clutter = random.fork(), for_garden = random.fork(), for_trees = random.fork();
+  Random for_samples = random.fork(), for_noise = random.fork(), for_holes = random.fork();
+  Random for_terrain = random.fork(), for_leaves = random.fork();
 
-  TrainingScene scene;
-  scene.foundation = foundation;
+  const double gsd = random_gsd(options, &for_survey);
   const Eigen::Vector2d at =
       kPlace + Eigen::Vector2d(for_survey.uniform(0.0, gsd), for_survey.uniform(0.0, gsd));
-  const Ground ground(at, &for_ground);
-  const bool is_grove = foundation == Foundation::kC && for_building.chance(0.35);
-  Box box{at - Eigen::Vector2d::Constant(6.0), at + Eigen::Vector2d::Constant(6.0)};
-  scene.center = at;
-  if (!is_grove) {
-    scene.house = foundation == Foundation::kC
-                      ? random_composite(&for_building)
-                      : random_house(foundation, &for_building, options.prior);
-    scene.house.origin = {at.x(), at.y(), ground.at(at)};
-    scene.outline = world_outline(scene.house);
-    box = box_of(scene.outline);
-    const HeightField field(scene.house);
-    const Block<double>& first = field.blocks()[0];
-    using namespace block_value;
-    scene.center = at + field.local_from_house(
-                            {0.5 * (first[kX0] + first[kX1]), 0.5 * (first[kY0] + first[kY1])});
+  const bool smooth = for_survey.chance(options.smooth_share);
+  const bool off_center = for_survey.chance(options.off_center_share);
+  SurveySampling sampling = random_sampling(smooth, gsd, &for_survey);
+  if (!smooth && !off_center) sampling = SurveySampling();
+  const double blend = smooth && for_survey.chance(0.6) ? for_survey.uniform(0.3, 1.0) : 0.0;
+
+  TrainingScene scene;
+  Site site;
+  const SiteGround ground(at, &for_ground);
+  const double floor = ground.at(at);
+  place_building(foundation, options, {at.x(), at.y(), floor}, &for_building, &scene, &site);
+  const bool is_building = !site.building.parts.empty();
+  add_neighbours(scene, floor, options.neighbour_share, &for_neighbours, &site);
+  if (for_sheds.chance(options.shed_share)) {
+    site.others.append(random_sheds(site.around, ground, &for_sheds));
   }
+  const double reach = (1.5 + sampling.reach() + 0.5 * blend) * gsd;
+  scene.outline_needed = is_building && is_joined(site, ground, reach);
+  if (for_cars.chance(options.car_share)) {
+    site.others.append(random_cars(site.around, ground, &for_cars));
+    scene.outline_needed |= is_building && is_joined(site, ground, reach);
+  }
+  if (for_garden.chance(options.garden_share)) {
+    plant_garden(site.around, &for_garden, &site.greenery);
+  }
+  if (is_building && for_trees.chance(options.tree_share)) {
+    plant_trees_over_walls(site.around, &for_trees, &site.greenery);
+  }
+  if (foundation != Foundation::kC && for_clutter.chance(options.clutter_share)) {
+    add_roof_clutter(scene.house, &for_clutter, &site.building);
+  }
+
+  Box box;
+  for (const Eigen::Vector2d& p : site.around) box.add(p, 0.0);
   const Grid grid = grid_around(box, gsd);
-  scene.dtm = HeightRaster(grid, 0.0f);
-  lay_ground(ground, &scene.dtm);
-  scene.dsm = scene.dtm;
+  const HeightRaster bare = ground.on(grid);
   scene.truth = HeightRaster(grid, std::numeric_limits<float>::quiet_NaN());
-  if (is_grove) {
-    plant_grove(&for_trees, box, &scene);
+  if (foundation == Foundation::kC) {
+    set_truth(site.building, &scene.truth);
   } else {
-    rasterise_house(scene.house, &scene.dsm, &scene.truth);
-    if (for_trees.chance(options.tree_share)) plant_trees(scene.house, &for_trees, &scene);
+    HeightRaster with_house = bare;
+    rasterise_house(scene.house, &with_house, &scene.truth);
   }
+  scene.dtm = bare;
+  add_terrain_error(options.terrain_error * for_terrain.uniform(0.0, 1.0), &for_terrain,
+                    &scene.dtm);
+
+  scene.dsm = bare;
+  sample_built({&site.building, &site.others}, ground, sampling, &for_samples, &scene.dsm);
+  add_greenery(site.greenery, bare, &for_leaves, &scene.dsm);
   LidarOptions lidar;
-  lidar.noise_range = 0.02 * std::pow(15.0, for_survey.uniform(0.0, 1.0));
-  add_survey_noise(lidar, scene.dtm, &for_survey, &scene.dsm);
+  lidar.noise_range = random_noise_range(options, &for_noise);
+  if (blend > 0.0) {
+    // Noise before the blend is alike in neighbouring cells; a little comes after it.
+    add_survey_noise(lidar, bare, &for_noise, &scene.dsm);
+    blend_cells(blend, &scene.dsm);
+    lidar.noise_range *= 0.25;
+  }
+  // Before the outliers, which would cast shadows.
+  if (for_holes.chance(options.hole_share)) random_holes(&for_holes, &scene.dsm);
+  if (for_noise.chance(options.outlier_share)) lidar.outlier_share = kOutliers;
+  add_survey_noise(lidar, bare, &for_noise, &scene.dsm);
   return scene;
 }
 

@@ -11,18 +11,25 @@
 namespace gable {
 
 /// How varied the scenes are that detectors are trained on. Every value is the most that a scene
-/// may have; scenes draw theirs between nothing and that.
+/// may have; scenes draw theirs between nothing and that. With all shares, terrain_error and
+/// most_noise 0 a survey shows the building alone, sampled at the cells' centres.
 struct TrainingSceneOptions {
-  double least_gsd = 0.25;  ///< metres, [0.1, 2]
-  double most_gsd = 1.0;    ///< metres, >= least_gsd, <= 2
-  double neighbour_share =
-      0.35;                    ///< houses with a neighbour across a party wall or close by, [0, 1]
-  double tree_share = 0.45;    ///< houses with trees or hedges that touch them, [0, 1]
-  double car_share = 0.3;      ///< houses with cars in front, [0, 1]
-  double hole_share = 0.25;    ///< surveys with missing cells, [0, 1]
-  double smooth_share = 0.4;   ///< surveys whose edges are smoothed, [0, 1]
-  double terrain_error = 0.4;  ///< terrain left over in the surface, metres, [0, 2]
-  PriorOptions prior;          ///< of the details
+  double least_gsd = 0.25;        ///< metres, [0.1, 2]
+  double most_gsd = 1.0;          ///< metres, >= least_gsd, <= 2
+  double neighbour_share = 0.35;  ///< with a neighbour across a party wall or close by, [0, 1]
+  double tree_share = 0.45;       ///< with trees that reach over a wall, [0, 1]
+  double garden_share = 0.7;      ///< with trees, shrubs and hedges around, [0, 1]
+  double shed_share = 0.25;       ///< with sheds, [0, 1]
+  double car_share = 0.3;         ///< with cars in front, [0, 1]
+  double clutter_share = 0.4;     ///< with solar panels, vents, parapets on the roof, [0, 1]
+  double hole_share = 0.25;       ///< surveys with missing cells, [0, 1]
+  double smooth_share = 0.4;      ///< surveys whose edges are smoothed, [0, 1]
+  double off_center_share = 0.7;  ///< of the others: sampled off the cells' centres, [0, 1]
+  double outlier_share = 0.15;    ///< surveys with outliers, 0.2 % of their cells, [0, 1]
+  double least_noise = 0.02;      ///< range of the paper's noise, metres, [0, most_noise]
+  double most_noise = 0.3;        ///< metres, <= 2
+  double terrain_error = 0.4;     ///< terrain left over in the surface, metres, [0, 2]
+  PriorOptions prior;             ///< of the details
 
   /// Empty, or one line that names the bound that does not hold.
   std::string check() const;
@@ -39,8 +46,9 @@ struct TrainingScene {
   HeightRaster dsm;                                  ///< surveyed, NaN: missing
   HeightRaster dtm;    ///< the terrain as a survey derives it: smooth, a little wrong
   HeightRaster truth;  ///< noise-free world heights of the building alone, NaN elsewhere
-  /// Another building touches this one, or is closer than 1.5 cells: heights alone do not tell
-  /// where it ends, so crops are cut by `outline`.
+  /// Another building (sheds and vans among them) touches this one, or is closer than 1.5 cells and
+  /// what the survey blends: heights alone do not tell where it ends, so crops are cut by
+  /// `outline`.
   bool outline_needed = false;
 };
 

@@ -96,14 +96,6 @@ bool turn_back(const Edge& first, const Edge& second) {
 
 }  // namespace
 
-double signed_area(const Ring& ring) {
-  double twice = 0.0;
-  for (size_t i = 2; i < ring.size(); ++i) {
-    twice += cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
-  }
-  return twice / 2.0;
-}
-
 bool are_simple(const std::vector<Ring>& rings) {
   std::vector<Edge> edges;
   for (size_t r = 0; r < rings.size(); ++r) {

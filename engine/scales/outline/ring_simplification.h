@@ -1,15 +1,11 @@
 #pragma once
 
+#include <gable/grammar/ring.h>
+
 #include <Eigen/Core>
 #include <vector>
 
 namespace gable {
-
-/// A closed ring of a plane, without a repeated last point.
-using Ring = std::vector<Eigen::Vector2d>;
-
-/// Area of a ring (shoelace formula): positive where it runs anticlockwise.
-double signed_area(const Ring& ring);
 
 /// Whether no two edges of the rings meet but neighbours at their common corner.
 bool are_simple(const std::vector<Ring>& rings);

@@ -41,6 +41,11 @@ TEST_F(ModelFolder, AnUnknownNameIsAnsweredWithTheKnownOnes) {
   EXPECT_THAT(error.what(), testing::HasSubstr("sheds"));
 }
 
+TEST_F(ModelFolder, DetectorsAreLookedUpInTheFolderOfTheEnvironmentFirst) {
+  std::filesystem::create_directories(scratch_.path("detectors"));
+  EXPECT_TRUE(std::filesystem::equivalent(find_detector_models(), scratch_.path("detectors")));
+}
+
 TEST_F(ModelFolder, FoldersThatDoNotExistAreLeftOut) {
   setenv("GABLE_MODELS", scratch_.path("nowhere").c_str(), 1);
   for (const std::string& folder : model_folders()) {

@@ -1,5 +1,5 @@
 #include <gable/engine/reconstruct/derivation_rewrites.h>
-#include <gable/engine/reconstruct/wing_polygons.h>
+#include <gable/grammar/wing_polygons.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
-#include <gable/engine/reconstruct/wing_polygons.h>
+#include <gable/grammar/wing_polygons.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/house_image.h"
+#include "grammar/sample_houses.h"
 
 namespace gable {
 namespace {

@@ -1,5 +1,5 @@
-#include <gable/engine/reconstruct/wing_polygons.h>
 #include <gable/grammar/block.h>
+#include <gable/grammar/wing_polygons.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace gable {
+
+/// A closed ring of a plane, without a repeated last point.
+using Ring = std::vector<Eigen::Vector2d>;
+
+/// Area of a ring (shoelace formula around its first point): positive where it runs anticlockwise.
+double signed_area(const Ring& ring);
+
+}  // namespace gable

@@ -1,0 +1,28 @@
+#include <gable/grammar/ring.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace gable {
+namespace {
+
+TEST(Ring, TheAreaIsPositiveAnticlockwiseAndNegativeClockwise) {
+  Ring ring = {{1.0, 1.0}, {4.0, 1.0}, {4.0, 3.0}, {1.0, 3.0}};
+  EXPECT_DOUBLE_EQ(signed_area(ring), 6.0);
+  std::reverse(ring.begin(), ring.end());
+  EXPECT_DOUBLE_EQ(signed_area(ring), -6.0);
+}
+
+TEST(Ring, TheAreaFarFromTheOriginKeepsItsDigits) {
+  const Eigen::Vector2d far(4e5, 2e6);
+  const Ring ring = {far, far + Eigen::Vector2d(0.25, 0.0), far + Eigen::Vector2d(0.0, 0.5)};
+  EXPECT_DOUBLE_EQ(signed_area(ring), 0.0625);
+}
+
+TEST(Ring, FewerThanThreePointsHaveNoArea) {
+  EXPECT_EQ(signed_area({}), 0.0);
+  EXPECT_EQ(signed_area({{0.0, 0.0}, {1.0, 1.0}}), 0.0);
+}
+
+}  // namespace
+}  // namespace gable
