@@ -84,7 +84,7 @@ TEST_F(AnnotateCommand, WhatIsReviewedStaysWhenProposedAnew) {
   house.confidence = Confidence::kMedium;
   house.foundation = Foundation::kI;
   house.polygon.clear();
-  house.rectangles = {{1.5, 2.5, 33.0, 44.0}};
+  house.rectangles = {{1.5, 33.0, 2.5, 44.0}};
   house.roofs = {RoofType::kFlat};
   answers.houses[0].roofs.assign(answers.houses[0].roofs.size(), RoofType::kFlat);
   const std::vector<RoofType> not_reviewed = answers.houses[0].roofs;

@@ -16,7 +16,7 @@ HouseAnswers sample() {
   house.frame = {0.1234567890123, {401574.33743129, 201345.7285}, 0.30682942};
   house.proposed = "U";
   house.foundation = Foundation::kI;
-  house.rectangles = {{10.0, 12.5, 50.0, 40.1}};
+  house.rectangles = {{10.0, 50.0, 12.5, 40.1}};
   house.roofs = {RoofType::kHip};
   house.chimneys = {{20.0, 21.0}};
   house.garages = {{{1.0, 2.0}, {3.0, 2.0}, {3.0, 4.0}}};

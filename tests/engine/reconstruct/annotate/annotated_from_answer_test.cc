@@ -39,7 +39,7 @@ std::string refusal(const HouseAnswer& answer) {
 
 TEST(AnnotatedFromAnswer, RectanglesBecomeCornersInTheWorld) {
   HouseAnswer pair = answer(Foundation::kII);
-  pair.rectangles = {{10.0, 20.0, 30.0, 40.0}, {30.0, 24.0, 50.0, 40.0}};
+  pair.rectangles = {{10.0, 30.0, 20.0, 40.0}, {30.0, 50.0, 24.0, 40.0}};
   pair.roofs = {RoofType::kGable, RoofType::kHip};
   pair.chimneys = {{12.0, 22.0}};
   pair.garages = {{{50.0, 24.0}, {58.0, 24.0}, {58.0, 30.0}}};
@@ -83,17 +83,17 @@ TEST(AnnotatedFromAnswer, EitherWayAroundIsAnLOrAU) {
 
 TEST(AnnotatedFromAnswer, WhatMakesNoHouseIsRefusedInOneLine) {
   HouseAnswer one = answer(Foundation::kI);
-  one.rectangles = {{10.0, 20.0, 30.0, 40.0}};
+  one.rectangles = {{10.0, 30.0, 20.0, 40.0}};
   one.roofs = {RoofType::kFlat};
   EXPECT_NO_THROW(annotated_from_answer(one, "a.json"));
   HouseAnswer bad = one;
   bad.confidence.reset();
   EXPECT_THAT(refusal(bad), HasSubstr("confidence"));
   bad = one;
-  bad.rectangles = {{30.0, 20.0, 10.0, 40.0}};
+  bad.rectangles = {{30.0, 10.0, 20.0, 40.0}};
   EXPECT_THAT(refusal(bad), HasSubstr("x0 < x1"));
   bad = one;
-  bad.rectangles.push_back({30.0, 20.0, 40.0, 40.0});
+  bad.rectangles.push_back({30.0, 40.0, 20.0, 40.0});
   EXPECT_THAT(refusal(bad), HasSubstr("1 rectangles, not 2"));
   bad = one;
   bad.roofs.clear();
@@ -103,7 +103,7 @@ TEST(AnnotatedFromAnswer, WhatMakesNoHouseIsRefusedInOneLine) {
   EXPECT_THAT(refusal(bad), HasSubstr("outside of the crop"));
 
   HouseAnswer pair = answer(Foundation::kII);
-  pair.rectangles = {{10.0, 20.0, 30.0, 40.0}, {33.0, 20.0, 50.0, 40.0}};
+  pair.rectangles = {{10.0, 30.0, 20.0, 40.0}, {33.0, 50.0, 20.0, 40.0}};
   pair.roofs = {RoofType::kFlat, RoofType::kFlat};
   EXPECT_THAT(refusal(pair), HasSubstr("do not touch"));
 
@@ -125,7 +125,7 @@ TEST(AnnotatedFromAnswer, WhatMakesNoHouseIsRefusedInOneLine) {
 
 TEST(AnnotatedFromAnswer, ComesBackThroughAFrameOfItsOwn) {
   HouseAnswer pair = answer(Foundation::kII);
-  pair.rectangles = {{10.0, 20.0, 30.0, 40.0}, {30.0, 24.0, 50.0, 40.0}};
+  pair.rectangles = {{10.0, 30.0, 20.0, 40.0}, {30.0, 50.0, 24.0, 40.0}};
   pair.roofs = {RoofType::kGable, RoofType::kHip};
   pair.dormers = {{25.0, 30.0}};
   const AnnotatedHouse house = annotated_from_answer(pair, "a.json");

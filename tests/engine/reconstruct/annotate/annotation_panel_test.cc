@@ -28,7 +28,7 @@ HouseAnswer block() {
   HouseAnswer answer;
   answer.frame = frame();
   answer.foundation = Foundation::kI;
-  answer.rectangles = {{16.0, 20.0, 40.0, 44.0}};
+  answer.rectangles = {{16.0, 40.0, 20.0, 44.0}};
   return answer;
 }
 
