@@ -12,11 +12,6 @@ int first_pixel(double edge) {
   return static_cast<int>(std::clamp(std::ceil(edge - 0.5), 0.0, 1.0 * kCropSize));
 }
 
-double largest_step(const CropRectangle& a, const CropRectangle& b) {
-  return std::max({std::abs(a.x0 - b.x0), std::abs(a.x1 - b.x1), std::abs(a.y0 - b.y0),
-                   std::abs(a.y1 - b.y1)});
-}
-
 // Whether every rectangle of one has its like in the other.
 bool is_same(const CropFoundation& a, const CropFoundation& b, double distinct) {
   const auto has_like = [&](const CropRectangle& r, const std::vector<CropRectangle>& others) {
@@ -31,6 +26,11 @@ bool is_same(const CropFoundation& a, const CropFoundation& b, double distinct) 
 }
 
 }  // namespace
+
+double largest_step(const CropRectangle& a, const CropRectangle& b) {
+  return std::max(
+      {std::abs(a.x0 - b.x0), std::abs(a.x1 - b.x1), std::abs(a.y0 - b.y0), std::abs(a.y1 - b.y1)});
+}
 
 CropBits bits_of(const CropRectangle& rectangle) {
   CropBits bits;

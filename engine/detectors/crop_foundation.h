@@ -17,6 +17,9 @@ struct CropRectangle {
   double height() const { return y1 - y0; }
 };
 
+/// The largest distance between edges of the same side, crop pixels.
+double largest_step(const CropRectangle& a, const CropRectangle& b);
+
 /// The pixels whose centres lie in the rectangle.
 CropBits bits_of(const CropRectangle& rectangle);
 
@@ -44,7 +47,7 @@ struct CropFoundation {
 struct CandidateOptions {
   double corner_weight = 0.2;  ///< of the mean corner beside the IoU, [0, 10]
   int at_most = 3;             ///< candidates that are returned, >= 1
-  /// Candidates whose edges all differ by less are one, crop pixels, [0, 64].
+  /// Candidates whose edges all differ by less are alike, crop pixels, [0, 64].
   double distinct = 1.5;
   /// Corners of one edge agree to this, crop pixels, [0.1, 64]: a few degrees that the azimuth is
   /// off turn an edge of 40 pixels by 2.

@@ -48,8 +48,7 @@ bool is_large_enough(const CropRectangle& r) {
 // The rectangle of edges, at most one of which is unknown: that one is the mask's within the band
 // between the two it runs across.
 std::optional<CropRectangle> rectangle_of(const Edges& edges, const CropBits& mask) {
-  const int known =
-      edges.x0.known() + edges.x1.known() + edges.y0.known() + edges.y1.known();
+  const int known = edges.x0.known() + edges.x1.known() + edges.y0.known() + edges.y1.known();
   if (known < 3) return std::nullopt;
   CropRectangle r{0.0, kCropSize, 0.0, kCropSize};
   if (edges.x0.known()) r.x0 = edges.x0.value();
@@ -85,10 +84,28 @@ void add_choices(const CornerPeaks& peaks, const CropBits& mask, double agreemen
   }
 }
 
+// Of candidates that are alike keeps the one with the best corners.
+std::vector<RectangleCandidate> without_likes(std::vector<RectangleCandidate> candidates,
+                                              double distinct) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const RectangleCandidate& a, const RectangleCandidate& b) {
+                     return a.corners > b.corners;
+                   });
+  std::vector<RectangleCandidate> kept;
+  for (const RectangleCandidate& candidate : candidates) {
+    if (std::none_of(kept.begin(), kept.end(), [&](const RectangleCandidate& better) {
+          return largest_step(better.rectangle, candidate.rectangle) < distinct;
+        })) {
+      kept.push_back(candidate);
+    }
+  }
+  return kept;
+}
+
 // How promising a rectangle is as a part of a set: the share of it that the mask covers, and its
 // corners.
-double single_score(const RectangleCandidate& candidate, const CropBits& bits,
-                    const CropBits& mask, double corner_weight) {
+double single_score(const RectangleCandidate& candidate, const CropBits& bits, const CropBits& mask,
+                    double corner_weight) {
   const int size = bits.count();
   if (size == 0) return 0.0;
   return static_cast<double>(common_pixels(bits, mask)) / size + corner_weight * candidate.corners;
@@ -131,7 +148,7 @@ class SetSearch {
   }
 
   std::vector<CropFoundation> best() {
-    extend(0, 0, CropBits(), {});
+    extend(0, CropBits());
     std::stable_sort(sets_.begin(), sets_.end(), [](const RectangleSet& a, const RectangleSet& b) {
       return a.score > b.score;
     });
@@ -145,42 +162,46 @@ class SetSearch {
   }
 
  private:
-  void extend(int size, int first, const CropBits& covered, std::array<int, 3> members) {
-    if (size == count_) {
-      finish(covered, members);
+  // Adds rectangles from number `first` on to the chosen ones, which cover `covered`.
+  void extend(int first, const CropBits& covered) {
+    if (static_cast<int>(chosen_.size()) == count_) {
+      finish(covered);
       return;
     }
     for (int i = first; i < static_cast<int>(singles_.size()); ++i) {
-      members[size] = i;
-      extend(size + 1, i + 1, covered | bits_[i], members);
+      chosen_.push_back(i);
+      extend(i + 1, covered | bits_[i]);
+      chosen_.pop_back();
     }
   }
 
-  void finish(const CropBits& covered, const std::array<int, 3>& members) {
+  void finish(const CropBits& covered) {
+    if (count_ > 1 && !(hangs_together() && each_adds(covered))) return;
     RectangleSet set;
-    set.members = members;
+    std::copy(chosen_.begin(), chosen_.end(), set.members.begin());
     set.iou = intersection_over_union(covered, mask_);
-    for (int i = 0; i < count_; ++i) set.corners += singles_[members[i]].corners / count_;
+    for (const int i : chosen_) set.corners += singles_[i].corners / count_;
     set.score = set.iou + options_.candidates.corner_weight * set.corners;
-    if (count_ > 1 && !(hangs_together(members) && each_adds(covered, members))) return;
     sets_.push_back(set);
   }
 
-  bool near(int a, int b) const {
-    return distance(singles_[a].rectangle, singles_[b].rectangle) <= options_.gap;
+  bool hangs_together() const {
+    int near = 0;
+    for (size_t i = 0; i < chosen_.size(); ++i) {
+      for (size_t j = i + 1; j < chosen_.size(); ++j) {
+        near += distance(singles_[chosen_[i]].rectangle, singles_[chosen_[j]].rectangle) <=
+                options_.gap;
+      }
+    }
+    return near >= count_ - 1;
   }
 
-  bool hangs_together(const std::array<int, 3>& m) const {
-    if (count_ == 2) return near(m[0], m[1]);
-    return near(m[0], m[1]) + near(m[0], m[2]) + near(m[1], m[2]) >= 2;
-  }
-
-  bool each_adds(const CropBits& covered, const std::array<int, 3>& members) const {
+  bool each_adds(const CropBits& covered) const {
     const int all = covered.count();
-    for (int i = 0; i < count_; ++i) {
+    for (const int i : chosen_) {
       CropBits others;
-      for (int j = 0; j < count_; ++j) {
-        if (j != i) others |= bits_[members[j]];
+      for (const int j : chosen_) {
+        if (j != i) others |= bits_[j];
       }
       if (all - others.count() < options_.own_share * all) return false;
     }
@@ -206,6 +227,7 @@ class SetSearch {
   const RectangleSetOptions& options_;
   std::vector<RectangleCandidate> singles_;
   std::vector<CropBits> bits_;
+  std::vector<int> chosen_;  // numbers of singles, rising
   std::vector<RectangleSet> sets_;
 };
 
@@ -218,7 +240,7 @@ std::vector<RectangleCandidate> rectangle_candidates(const CornerPeaks& peaks, c
   add_choices(peaks, mask, options.agreement, 0, Edges(), 0.0, &out);
   const CropRectangle whole = bounds_of(mask);
   if (is_large_enough(whole)) out.push_back({whole, 0.0});
-  return out;
+  return without_likes(std::move(out), options.distinct);
 }
 
 std::string check(const RectangleSetOptions& options) {

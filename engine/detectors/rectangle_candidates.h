@@ -22,7 +22,8 @@ struct RectangleCandidate {
 /// Rectangles spanned by corners of different types, each edge at the mean of its corners, which
 /// agree (NPR section 4.1, where three corners give one): by four, by three, by two opposite ones,
 /// by two of one edge whose opposite edge is that of the mask between them, and the mask's own
-/// bounds. No sides below 2 pixels. Nothing where the mask is empty and no corners are.
+/// bounds. No sides below 2 pixels. Of alike ones that with the best corners; sorted by corners.
+/// Nothing where neither the mask nor corners have anything.
 std::vector<RectangleCandidate> rectangle_candidates(const CornerPeaks& peaks, const CropBits& mask,
                                                      const CandidateOptions& options = {});
 
