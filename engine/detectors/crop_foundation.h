@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/engine/detectors/crop_bits.h>
+#include <gable/engine/detectors/crop_rectangle.h>
 #include <gable/grammar/house.h>
 
 #include <Eigen/Core>
@@ -9,13 +10,8 @@
 
 namespace gable {
 
-/// An axis-aligned rectangle of a crop, crop pixels: x to the right, y down.
-struct CropRectangle {
-  double x0 = 0.0, x1 = 0.0, y0 = 0.0, y1 = 0.0;
-
-  double width() const { return x1 - x0; }
-  double height() const { return y1 - y0; }
-};
+/// The largest distance between edges of the same side, crop pixels.
+double largest_step(const CropRectangle& a, const CropRectangle& b);
 
 /// The largest distance between edges of the same side, crop pixels.
 double largest_step(const CropRectangle& a, const CropRectangle& b);

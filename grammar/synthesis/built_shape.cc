@@ -12,8 +12,6 @@ namespace {
 constexpr double kOutside = -std::numeric_limits<double>::infinity();
 constexpr int kCircleCorners = 24;
 
-int corners_of(const BuiltPart& part) { return part.count > 0 ? part.count : kCircleCorners; }
-
 bool is_round(const BuiltPart& part) {
   return part.form == PartForm::kCone || part.form == PartForm::kDome;
 }
@@ -75,8 +73,8 @@ std::vector<Eigen::Vector2d> BuiltPart::ring() const {
   const Eigen::Vector2d across(-along.y(), along.x());
   std::vector<Eigen::Vector2d> corners;
   if (is_round(*this)) {
-    const int n = corners_of(*this);
-    const double outer = count > 0 ? half_length / std::cos(M_PI / n) : half_length;
+    const int n = count > 0 ? count : kCircleCorners;
+    const double outer = radius();
     for (int i = 0; i < n; ++i) {
       const double angle = 2.0 * M_PI * (i + 0.5) / n;
       corners.push_back(center + outer * (std::cos(angle) * along + std::sin(angle) * across));
@@ -91,7 +89,7 @@ std::vector<Eigen::Vector2d> BuiltPart::ring() const {
 }
 
 double BuiltPart::radius() const {
-  if (is_round(*this)) return half_length / std::cos(M_PI / corners_of(*this));
+  if (is_round(*this)) return count > 0 ? half_length / std::cos(M_PI / count) : half_length;
   return std::hypot(half_length, half_width);
 }
 

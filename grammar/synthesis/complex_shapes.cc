@@ -145,10 +145,11 @@ BuiltShape round_building(Random* random) {
   const double length = width * random->uniform(1.1, 1.9);
   const double corner = random->chance(0.5) ? 0.5 * width : random->uniform(-0.3, 0.3) * width;
   shape.parts.push_back(make_gable({0.5 * length, corner}, 0.0, length, width,
-                                   eaves - random->uniform(0.0, 1.5), wide_pitch(random)));
+                                   std::max(2.3, eaves - random->uniform(0.0, 1.5)),
+                                   wide_pitch(random)));
   if (random->chance(0.5)) {
     shape.parts.push_back(make_gable({0.6 * length, corner + 0.5 * width}, 0.5 * M_PI, width + 4.0,
-                                     0.7 * width, eaves - random->uniform(0.0, 2.0),
+                                     0.7 * width, std::max(2.3, eaves - random->uniform(0.0, 2.0)),
                                      wide_pitch(random)));
   }
   return shape;
@@ -301,7 +302,9 @@ BuiltShape courtyard(Random* random) {
   if (random->chance(0.6)) {
     for (BuiltPart& part : shape.parts) part.start_run = part.end_run = part.half_width;
   }
-  if (random->chance(0.3)) shape.parts[1].eaves -= random->uniform(0.5, 2.0);
+  if (random->chance(0.3)) {
+    shape.parts[1].eaves = std::max(2.3, eaves - random->uniform(0.5, 2.0));
+  }
   return shape;
 }
 

@@ -1,5 +1,6 @@
 #include <gable/grammar/synthesis/roof_clutter.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gable {
@@ -61,21 +62,49 @@ void add_bumps(const BuiltPart& roof, Random* random, std::vector<BuiltPart>* li
   }
 }
 
+/// Continues a roof's planes over its walls.
+void hang_over(double by, BuiltPart* roof) {
+  const double slope = roof->form == PartForm::kFlat ? 0.0 : roof->rise / roof->half_width;
+  roof->half_length += by;
+  roof->half_width += by;
+  roof->eaves -= by * slope;
+  roof->rise += by * slope;
+  if (roof->start_run > 0.0) roof->start_run += by;
+  if (roof->end_run > 0.0) roof->end_run += by;
+}
+
+/// A bay or an oriel in front of one wall, its ground at height `ground`.
+BuiltPart random_bay(const BuiltPart& roof, double ground, Random* random) {
+  const double depth = random->uniform(0.3, 0.9);
+  const double half = random->uniform(0.7, 1.6);
+  const double lowest = std::min(2.4, roof.eaves - ground);
+  const double top = ground + random->uniform(lowest, roof.eaves - ground);
+  const bool at_end = random->chance(0.4);
+  const double sign = random->chance(0.5) ? 1.0 : -1.0;
+  const double wall = at_end ? roof.half_width : roof.half_length;
+  const double along = random->uniform(-1.0, 1.0) * std::max(0.0, wall - half);
+  const double out = sign * ((at_end ? roof.half_length : roof.half_width) + 0.5 * depth);
+  return at_end ? piece_of(roof, out, along, 0.5 * depth, std::min(half, wall), top)
+                : piece_of(roof, along, out, std::min(half, wall), 0.5 * depth, top);
+}
+
 }  // namespace
 
-std::vector<BuiltPart> random_roof_clutter(const House& house, Random* random) {
-  std::vector<BuiltPart> lifts;
-  const BuiltShape shape = shape_of(house);
-  for (int i = 0; i < house.num_components(); ++i) {
-    const BuiltPart& roof = shape.parts[static_cast<size_t>(i)];
+void add_roof_clutter(const House& house, Random* random, BuiltShape* shape) {
+  const double overhang = random->chance(0.4) ? random->uniform(0.05, 0.3) : 0.0;
+  const bool has_bay = random->chance(0.3);
+  const size_t components = static_cast<size_t>(house.num_components());
+  for (size_t i = 0; i < components; ++i) {
+    const BuiltPart roof = shape->parts[i];
     if (roof.form == PartForm::kFlat) {
-      add_on_flat(roof, random, &lifts);
-      continue;
+      add_on_flat(roof, random, &shape->lifts);
+    } else {
+      if (random->chance(0.3)) add_panels(roof, random, &shape->lifts);
+      if (random->chance(0.4)) add_bumps(roof, random, &shape->lifts);
     }
-    if (random->chance(0.3)) add_panels(roof, random, &lifts);
-    if (random->chance(0.4)) add_bumps(roof, random, &lifts);
+    hang_over(overhang, &shape->parts[i]);
+    if (has_bay && i == 0) shape->parts.push_back(random_bay(roof, house.origin.z(), random));
   }
-  return lifts;
 }
 
 }  // namespace gable

@@ -6,9 +6,10 @@
 
 namespace gable {
 
-/// Things on the roofs of a placed house that are no part of its derivation, as lifts in the world:
-/// solar panels 0.1-0.2 m over a slope, vents and small stacks; on flat roofs parapets, hatches and
-/// machines.
-std::vector<BuiltPart> random_roof_clutter(const House& house, Random* random);
+/// Adds to the shape of a placed house, world, what is no part of its derivation: solar panels
+/// 0.1-0.2 m over a slope, vents and small stacks; on flat roofs parapets, hatches and machines,
+/// all as lifts; eaves that hang over by up to 0.3 m; bays of 0.3-0.9 m depth at a wall, below the
+/// eaves. `shape` is `shape_of(house)`.
+void add_roof_clutter(const House& house, Random* random, BuiltShape* shape);
 
 }  // namespace gable

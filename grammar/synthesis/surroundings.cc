@@ -33,8 +33,8 @@ double distance_from(const PlanRing& outline, const Eigen::Vector2d& p) {
 }
 
 /// A box that stands on the ground.
-BuiltPart random_box(const Eigen::Vector2d& center, const Eigen::Vector2d& along, double length,
-                     double width, double top) {
+BuiltPart box_at(const Eigen::Vector2d& center, const Eigen::Vector2d& along, double length,
+                 double width, double top) {
   BuiltPart part;
   part.center = center;
   part.along = along;
@@ -91,18 +91,16 @@ BuiltShape random_cars(const PlanRing& outline, const SiteGround& ground, Random
     const Eigen::Vector2d center = wall.at + away * wall.outward;
     const Eigen::Vector2d along = random_direction(wall, random);
     const double floor = ground.at(center);
-    const double length = random->uniform(3.9, 5.0);
-    const double width = random->uniform(1.7, 1.95);
-    const BuiltPart whole = random_box(center, along, length, width, floor + 0.9);
-    if (!keeps_clear(whole, outline, 0.7)) continue;
-    if (random->chance(0.12)) {  // a van
-      cars.parts.push_back(
-          random_box(center, along, length + 0.6, width + 0.1, floor + random->uniform(1.9, 2.4)));
-      continue;
-    }
-    cars.parts.push_back(whole);
-    cars.parts.push_back(random_box(center - 0.08 * length * along, along, 0.55 * length,
-                                    0.9 * width, floor + random->uniform(1.4, 1.65)));
+    const bool is_van = random->chance(0.12);
+    const double length = is_van ? random->uniform(4.8, 5.6) : random->uniform(3.9, 5.0);
+    const double width = is_van ? random->uniform(1.9, 2.05) : random->uniform(1.7, 1.95);
+    const double top = floor + (is_van ? random->uniform(1.9, 2.4) : 0.9);
+    const BuiltPart body = box_at(center, along, length, width, top);
+    if (!keeps_clear(body, outline, 0.7)) continue;
+    cars.parts.push_back(body);
+    if (is_van) continue;
+    cars.parts.push_back(box_at(center - 0.08 * length * along, along, 0.55 * length, 0.9 * width,
+                                floor + random->uniform(1.4, 1.65)));
   }
   return cars;
 }
@@ -121,7 +119,7 @@ BuiltShape random_sheds(const PlanRing& outline, const SiteGround& ground, Rando
                std::abs(along.x() * wall.outward.y() - along.y() * wall.outward.x()) * width);
     const Eigen::Vector2d center = wall.at + (gap + half) * wall.outward;
     const double top = random->uniform(2.0, 2.6);
-    BuiltPart shed = random_box(center, along, length, width, ground.at(center) + top);
+    BuiltPart shed = box_at(center, along, length, width, ground.at(center) + top);
     if (random->chance(0.6)) {
       shed.form = random->chance(0.5) ? PartForm::kGable : PartForm::kMono;
       shed.rise = random->uniform(0.2, 0.6);
@@ -178,14 +176,17 @@ void plant_garden(const PlanRing& outline, Random* random, Greenery* greenery) {
     const WallPoint wall = random_wall_point(outline, random);
     const Eigen::Vector2d along(-wall.outward.y(), wall.outward.x());
     const bool leads_away = random->chance(0.5);
-    const double near = leads_away ? random->uniform(0.9, 2.0) : random->uniform(1.5, 7.0);
+    const bool at_wall = leads_away && random->chance(0.5);
+    const double near = at_wall      ? 0.05
+                        : leads_away ? random->uniform(0.9, 2.0)
+                                     : random->uniform(1.5, 7.0);
     const Eigen::Vector2d from = wall.at + near * wall.outward;
     const double length = random->uniform(4.0, 14.0);
     const Eigen::Vector2d to = leads_away ? Eigen::Vector2d(from + length * wall.outward)
                                           : Eigen::Vector2d(from + length * along);
     const Hedge hedge = random_hedge(from, to, random);
     const PlanRing strip = {from, to, to};
-    if (ring_distance(outline, strip) > 0.5 * hedge.width + 0.3) {
+    if (ring_distance(outline, strip) > (at_wall ? 0.0 : 0.5 * hedge.width + 0.3)) {
       greenery->hedges.push_back(hedge);
     }
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr float kMissing = std::numeric_limits<float>::quiet_NaN();
 
 void drop_single_cells(Random* random, HeightRaster* surface) {
-  const double share = std::pow(10.0, random->uniform(-2.5, -1.2));
+  const double share = std::pow(10.0, random->uniform(-2.7, -1.4));
   for (float& height : surface->values) {
     if (random->chance(share)) height = kMissing;
   }
@@ -58,7 +58,8 @@ void drop_shadows(Random* random, HeightRaster* surface) {
         const int r = row + rows[static_cast<size_t>(step - 1)];
         const int c = col + cols[static_cast<size_t>(step - 1)];
         if (!grid.contains(r, c)) break;
-        if ((seen.at(r, c) - height) * run < step * grid.gsd) continue;
+        // Nothing is hidden behind a cell that is missing itself.
+        if (!((seen.at(r, c) - height) * run >= step * grid.gsd)) continue;
         if (random->chance(share)) surface->at(row, col) = kMissing;
         break;
       }

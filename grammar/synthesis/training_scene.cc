@@ -35,6 +35,13 @@ double random_gsd(const TrainingSceneOptions& options, Random* random) {
   return common >= options.least_gsd && common <= options.most_gsd ? common : any;
 }
 
+/// Most surveys are cleaner than the paper's noise.
+double random_noise_range(const TrainingSceneOptions& options, Random* random) {
+  const double share = std::pow(random->uniform(0.0, 1.0), 1.5);
+  if (options.least_noise <= 0.0) return share * options.most_noise;
+  return options.least_noise * std::pow(options.most_noise / options.least_noise, share);
+}
+
 struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
@@ -209,7 +216,7 @@ TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
     plant_trees_over_walls(site.around, &for_trees, &site.greenery);
   }
   if (foundation != Foundation::kC && for_clutter.chance(options.clutter_share)) {
-    site.building.lifts = random_roof_clutter(scene.house, &for_clutter);
+    add_roof_clutter(scene.house, &for_clutter, &site.building);
   }
 
   Box box;
@@ -231,22 +238,17 @@ TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
   sample_built({&site.building, &site.others}, ground, sampling, &for_samples, &scene.dsm);
   add_greenery(site.greenery, bare, &for_leaves, &scene.dsm);
   LidarOptions lidar;
-  lidar.noise_range = options.least_noise;
-  if (options.least_noise > 0.0) {
-    const double ratio = options.most_noise / options.least_noise;
-    lidar.noise_range *= std::pow(ratio, for_noise.uniform(0.0, 1.0));
-  } else {
-    lidar.noise_range = for_noise.uniform(0.0, options.most_noise);
-  }
+  lidar.noise_range = random_noise_range(options, &for_noise);
   if (blend > 0.0) {
     // Noise before the blend is alike in neighbouring cells; a little comes after it.
     add_survey_noise(lidar, bare, &for_noise, &scene.dsm);
     blend_cells(blend, &scene.dsm);
     lidar.noise_range *= 0.25;
   }
+  // Before the outliers, which would cast shadows.
+  if (for_holes.chance(options.hole_share)) random_holes(&for_holes, &scene.dsm);
   if (for_noise.chance(options.outlier_share)) lidar.outlier_share = kOutliers;
   add_survey_noise(lidar, bare, &for_noise, &scene.dsm);
-  if (for_holes.chance(options.hole_share)) random_holes(&for_holes, &scene.dsm);
   return scene;
 }
 

@@ -21,11 +21,11 @@ def draw_curves(log: dict, path: Path) -> None:
     if steps:
         above.set_yscale("log")
         above.legend()
-    for kind in {v["crops"] for v in log["validations"]}:
+    for kind in sorted({v["crops"] for v in log["validations"]}):
         validations = [v for v in log["validations"] if v["crops"] == kind]
         for name, values in _series(validations).items():
             below.plot([v["minutes"] for v in validations], values, label=f"{name} ({kind})",
-                       linestyle="--" if kind == "real" else "-", marker=".")
+                       linestyle="-" if kind == "synthesised" else "--", marker=".")
     below.set_xlabel("minutes")
     below.set_ylabel("validation")
     if log["validations"]:

@@ -31,16 +31,16 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--net", required=True, choices=TASKS)
     parser.add_argument("--data", required=True, help="folder of shards")
-    parser.add_argument("--real", help="folder of shards of real crops, mixed in")
-    parser.add_argument("--real-share", type=float, default=0.25, help="of every batch, (0, 1)")
+    parser.add_argument("--real", nargs="+", default=[], help="folders of real crops, mixed in")
+    parser.add_argument("--real-share", type=float, default=0.1, help="of every batch, (0, 1)")
     parser.add_argument("--real-weight", type=float, default=1.0, help="in the loss, > 0")
     parser.add_argument("--out", required=True, help="folder of the checkpoint and the log")
     length = parser.add_mutually_exclusive_group(required=True)
     length.add_argument("--minutes", type=float, help="of training")
     length.add_argument("--epochs", type=float, help="of the synthesised crops")
     parser.add_argument("--width", type=int, help="channels at the first stage")
-    parser.add_argument("--batch", type=int, default=128)
-    parser.add_argument("--rate", type=float, default=2e-3, help="highest learning rate")
+    parser.add_argument("--batch", type=int, default=64)
+    parser.add_argument("--rate", type=float, default=1.5e-3, help="highest learning rate")
     parser.add_argument("--decay", type=float, default=0.02, help="of weights (AdamW)")
     parser.add_argument("--start-from", help="checkpoint whose averaged weights to begin with")
     parser.add_argument("--seed", type=int, default=1)
@@ -81,18 +81,24 @@ class Training:
 
     def _open_data(self) -> None:
         options = self.options
-        folders = [(options.data, 1.0)] + [(options.real, options.real_weight)] * bool(options.real)
-        real_size = round(options.batch * options.real_share) if options.real else 0
+        real = [Dataset(folder) for folder in options.real]
+        total = sum(len(dataset) for dataset in real)
+        real_size = round(options.batch * options.real_share) if real else 0
+        # Every real folder by its number of crops, but each with at least one in every batch.
+        sizes = [max(1, round(real_size * len(dataset) / total)) for dataset in real]
         self.sources, self.validation = [], {}
-        for i, (folder, weight) in enumerate(folders):
-            dataset = Dataset(folder)
-            training, validation = (self.task.rows(dataset, rows) for rows in dataset.split())
-            size = real_size if i else options.batch - real_size
-            self.sources.append(Source(dataset, training, size, weight, options.seed + i))
-            # Evenly over the whole, for shards may be sorted.
-            count = min(options.validation_crops, len(validation))
-            chosen = validation[np.linspace(0, len(validation) - 1, count).astype(int)]
-            self.validation["real" if i else "synthesised"] = (dataset, chosen)
+        self._add_source("synthesised", Dataset(options.data), options.batch - sum(sizes), 1.0)
+        for dataset, size in zip(real, sizes):
+            self._add_source(dataset.folder.name, dataset, size, options.real_weight)
+
+    def _add_source(self, name: str, dataset: Dataset, size: int, weight: float) -> None:
+        training, validation = (self.task.rows(dataset, rows) for rows in dataset.split())
+        seed = self.options.seed + len(self.sources)
+        self.sources.append(Source(dataset, training, size, weight, seed))
+        # Evenly over the whole, for shards may be sorted.
+        count = min(self.options.validation_crops, len(validation))
+        chosen = validation[np.linspace(0, len(validation) - 1, count).astype(int)]
+        self.validation[name] = (dataset, chosen)
 
     def _resume(self) -> tuple[int, float]:
         """The step to go on with, and the seconds trained before."""
@@ -139,6 +145,8 @@ class Training:
 
     def _validate(self) -> None:
         for name, (dataset, rows) in self.validation.items():
+            if not len(rows):
+                continue
             scores = self.task.evaluate(self.average.network, dataset, rows)
             self.log["validations"].append({"minutes": self.schedule.elapsed() / 60,
                                             "step": self.step, "crops": name, **scores})

@@ -19,6 +19,9 @@ constexpr int kSide = kCropSize * kScale;
 constexpr int kLeft = 26, kTop = 38, kBottom = 26, kGap = 10;
 constexpr int kTickStep = 8;  // crop pixels
 
+// The darkest reds are left out: what stands out above the rest of a roof keeps its contrast.
+constexpr double kTopShare = 0.88;
+
 constexpr Color kOutlineColor{255, 255, 255};
 constexpr Color kGarageColor{255, 120, 255};
 constexpr Color kDormerColor{255, 255, 60};
@@ -78,11 +81,32 @@ Samples sample(const AnnotationPanelInput& input) {
   return samples;
 }
 
+/// Lines of equal height, one a metre and fainter ones between.
+void draw_contours(const Samples& samples, cv::Mat* colors) {
+  const auto level = [&](int row, int col, double step) {
+    return std::floor(samples.height(row, col) / step);
+  };
+  for (const double step : {0.5, 1.0}) {
+    for (int row = 0; row + 1 < kSide; ++row) {
+      for (int col = 0; col + 1 < kSide; ++col) {
+        const double here = level(row, col, step);
+        // Walls are no slopes: their lines would lie on each other.
+        if (!(std::hypot(samples.slope_x(row, col), samples.slope_y(row, col)) < 2.0)) continue;
+        if (!(here >= 2.0) ||
+            (here == level(row, col + 1, step) && here == level(row + 1, col, step)))
+          continue;
+        cv::Vec3b& color = colors->at<cv::Vec3b>(row, col);
+        color = bgr(mix({color[2], color[1], color[0]}, {0, 0, 0}, step < 1.0 ? 0.35 : 0.7));
+      }
+    }
+  }
+}
+
 cv::Mat height_colors(const Samples& samples) {
   cv::Mat1b share(kSide, kSide);
   for (int row = 0; row < kSide; ++row) {
     for (int col = 0; col < kSide; ++col) {
-      const double z = samples.height(row, col) / samples.top;
+      const double z = kTopShare * samples.height(row, col) / samples.top;
       share(row, col) = static_cast<uint8_t>(
           std::lround(255.0 * std::clamp(std::isfinite(z) ? z : 0.0, 0.0, 1.0)));
     }
@@ -105,6 +129,7 @@ cv::Mat height_colors(const Samples& samples) {
       }
     }
   }
+  draw_contours(samples, &colors);
   return colors;
 }
 
@@ -257,7 +282,7 @@ double low_height(const HeightRaster& dsm, const CropFrame& frame) {
     }
   }
   if (heights.empty()) return 0.0;
-  const auto low = heights.begin() + static_cast<long>(heights.size() / 20);
+  const auto low = heights.begin() + static_cast<long>(heights.size() / 5);
   std::nth_element(heights.begin(), low, heights.end());
   return *low;
 }

@@ -26,10 +26,10 @@ struct AnnotationPanelInput {
 cv::Size annotation_panel_size();
 
 /// A building twice, side by side, turned by the azimuth of its frame, six pixels to one of the
-/// crop: heights over the datum in colours, shaded by a light from the top left, with the answer's
-/// outline, rectangles, dormers, chimneys and garages; and the directions of the normals (red to
-/// the right, green to the top, blue up) with the outline of the inside pixels. Along the frame
-/// stand the crop's pixels; small crosses mark every eighth. 8-bit BGR.
+/// crop: heights over the datum in colours, shaded by a light from the top left, with contour lines
+/// and the answer's outline, rectangles, dormers, chimneys and garages; and the directions of the
+/// normals (red to the right, green to the top, blue up) with the outline of the inside pixels.
+/// Along the frame stand the crop's pixels; small crosses mark every eighth. 8-bit BGR.
 cv::Mat draw_annotation_panel(const AnnotationPanelInput& input);
 
 /// The level of the terrain where nothing is known of it: a low percentile of the heights in a

@@ -12,7 +12,7 @@ namespace gable {
 
 /// How sheets are laid out.
 struct AnnotationSheetOptions {
-  int columns = 3;  ///< buildings beside each other, [1, 16]
+  int columns = 2;  ///< buildings beside each other, [1, 16]
   int rows = 3;     ///< [1, 16]
 };
 

@@ -1,7 +1,9 @@
 #include <gable/grammar/height_field.h>
+#include <gable/grammar/polygon_cells.h>
 #include <gable/grammar/synthesis/training_scene.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -53,15 +55,166 @@ TEST(TrainingScene, TruthIsTheHeightFieldOfTheHouse) {
   }
 }
 
-TEST(TrainingScene, TheTerrainIsFiniteEverywhere) {
-  const TrainingSceneOptions options;
+TEST(TrainingScene, TheTerrainIsFiniteAndNearTheGroundEverywhere) {
+  TrainingSceneOptions options;
   for (Foundation foundation : kAll) {
     for (uint64_t seed = 0; seed < 20; ++seed) {
-      for (float height : make_training_scene(foundation, seed, options).dtm.values) {
-        ASSERT_TRUE(std::isfinite(height));
+      const TrainingScene scene = make_training_scene(foundation, seed, options);
+      options.terrain_error = 0.0;
+      const TrainingScene exact = make_training_scene(foundation, seed, options);
+      options.terrain_error = 0.4;
+      ASSERT_EQ(scene.dtm.grid, exact.dtm.grid);
+      for (size_t i = 0; i < scene.dtm.values.size(); ++i) {
+        ASSERT_TRUE(std::isfinite(scene.dtm.values[i]));
+        EXPECT_NEAR(scene.dtm.values[i], exact.dtm.values[i], 0.4 + 1e-4);
       }
     }
   }
+}
+
+TrainingSceneOptions no_defects() {
+  TrainingSceneOptions options;
+  options.neighbour_share = options.tree_share = options.garden_share = options.shed_share = 0.0;
+  options.car_share = options.clutter_share = options.hole_share = options.smooth_share = 0.0;
+  options.off_center_share = options.outlier_share = 0.0;
+  options.least_noise = options.most_noise = options.terrain_error = 0.0;
+  return options;
+}
+
+TEST(TrainingScene, WithoutDefectsTheSurveyIsTheBuildingOnItsTerrain) {
+  const TrainingSceneOptions options = no_defects();
+  for (Foundation foundation : kAll) {
+    for (uint64_t seed = 0; seed < 30; ++seed) {
+      const TrainingScene scene = make_training_scene(foundation, seed, options);
+      EXPECT_FALSE(scene.outline_needed);
+      if (scene.outline.outer.empty()) continue;  // trees
+      for (size_t i = 0; i < scene.dsm.values.size(); ++i) {
+        const float truth = scene.truth.values[i];
+        // Walls go down to the ground, and no roof lies below it.
+        const float expected =
+            std::isnan(truth) ? scene.dtm.values[i] : std::max(truth, scene.dtm.values[i]);
+        EXPECT_NEAR(scene.dsm.values[i], expected, 1e-4);
+      }
+    }
+  }
+}
+
+TEST(TrainingScene, OutlineIsWhereTheTruthIs) {
+  const TrainingSceneOptions options;
+  for (Foundation foundation : kAll) {
+    for (uint64_t seed = 0; seed < 30; ++seed) {
+      const TrainingScene scene = make_training_scene(foundation, seed, options);
+      HeightRaster inside(scene.truth.grid, 0.0f);
+      if (!scene.outline.outer.empty()) {
+        for_cells_in_polygon(scene.outline, Eigen::Vector2d::Zero(), inside.grid,
+                             [&](int row, int col) { inside.at(row, col) = 1.0f; });
+      }
+      int differ = 0, covered = 0;
+      for (size_t i = 0; i < inside.values.size(); ++i) {
+        covered += std::isfinite(scene.truth.values[i]);
+        differ += std::isfinite(scene.truth.values[i]) != (inside.values[i] > 0.0f);
+      }
+      if (foundation != Foundation::kC) {
+        EXPECT_LE(differ, 1);
+      }
+      // Things that stand apart have the outline of the largest.
+      EXPECT_LE(differ, covered);
+    }
+  }
+}
+
+TEST(TrainingScene, RasterHasEightMetresOfSurroundings) {
+  const TrainingSceneOptions options;
+  for (Foundation foundation : kAll) {
+    for (uint64_t seed = 0; seed < 30; ++seed) {
+      const TrainingScene scene = make_training_scene(foundation, seed, options);
+      const Grid& grid = scene.dsm.grid;
+      EXPECT_EQ(scene.dtm.grid, grid);
+      EXPECT_EQ(scene.truth.grid, grid);
+      EXPECT_GE(grid.gsd, options.least_gsd);
+      EXPECT_LE(grid.gsd, options.most_gsd);
+      const Eigen::Vector2d south_east =
+          grid.north_west + grid.gsd * Eigen::Vector2d(grid.cols, -grid.rows);
+      double west = 1e9, east = 1e9, north = 1e9, south = 1e9;
+      for (const Eigen::Vector2d& p : scene.outline.outer) {
+        west = std::min(west, p.x() - grid.north_west.x());
+        north = std::min(north, grid.north_west.y() - p.y());
+        east = std::min(east, south_east.x() - p.x());
+        south = std::min(south, p.y() - south_east.y());
+      }
+      if (scene.outline.outer.empty()) continue;
+      for (double margin : {west, east, north, south}) {
+        EXPECT_GE(margin, 8.0 - 1e-6);
+        EXPECT_LE(margin, 8.0 + 2.0 * grid.gsd);
+      }
+    }
+  }
+}
+
+TEST(TrainingScene, CentreIsOnTheBuilding) {
+  const TrainingSceneOptions options;
+  for (Foundation foundation : kAll) {
+    for (uint64_t seed = 0; seed < 30; ++seed) {
+      const TrainingScene scene = make_training_scene(foundation, seed, options);
+      if (scene.outline.outer.empty()) {
+        EXPECT_EQ(foundation, Foundation::kC);
+        continue;
+      }
+      const Eigen::Vector2d cell = scene.truth.grid.cell_of(scene.center);
+      EXPECT_TRUE(std::isfinite(scene.truth.at(static_cast<int>(std::lround(cell.x())),
+                                               static_cast<int>(std::lround(cell.y())))));
+    }
+  }
+}
+
+TEST(TrainingScene, OutlineIsNeededWhereSomethingElseConnects) {
+  TrainingSceneOptions options = no_defects();
+  options.neighbour_share = 1.0;
+  int needed = 0, wrong = 0;
+  constexpr int kScenes = 150;
+  for (int i = 0; i < kScenes; ++i) {
+    const TrainingScene scene = make_training_scene(kAll[i % 5], i, options);
+    needed += scene.outline_needed;
+    // Cells of something else that is high beside cells of the house.
+    bool joined = false;
+    const Grid& grid = scene.dsm.grid;
+    for (int row = 1; row < grid.rows; ++row) {
+      for (int col = 1; col < grid.cols; ++col) {
+        const auto is_other = [&](int r, int c) {
+          return std::isnan(scene.truth.at(r, c)) && scene.dsm.at(r, c) > scene.dtm.at(r, c) + 2.0f;
+        };
+        const auto is_own = [&](int r, int c) { return std::isfinite(scene.truth.at(r, c)); };
+        joined |= is_own(row, col) && (is_other(row - 1, col) || is_other(row, col - 1));
+        joined |= is_other(row, col) && (is_own(row - 1, col) || is_own(row, col - 1));
+      }
+    }
+    wrong += joined && !scene.outline_needed;
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(needed, kScenes / 2);
+  EXPECT_LT(needed, kScenes);
+}
+
+TEST(TrainingScene, OnlySurveysWithHolesMissCells) {
+  TrainingSceneOptions options;
+  int with_holes = 0;
+  for (double share : {0.0, 1.0}) {
+    options.hole_share = share;
+    for (int seed = 0; seed < 40; ++seed) {
+      const TrainingScene scene = make_training_scene(kAll[seed % 6], seed, options);
+      bool missing = false;
+      for (float height : scene.dsm.values) missing |= std::isnan(height);
+      EXPECT_TRUE(share > 0.0 || !missing);
+      with_holes += missing;
+    }
+  }
+  EXPECT_GT(with_holes, 30);
+}
+
+TEST(TrainingScene, OneShareChangesNothingOfTheHouse) {
+  const TrainingScene with = make_training_scene(Foundation::kU, 3, TrainingSceneOptions());
+  const TrainingScene without = make_training_scene(Foundation::kU, 3, no_defects());
+  EXPECT_TRUE(same_bytes(with.truth, without.truth));
 }
 
 TEST(TrainingScene, OptionsNameTheBoundThatDoesNotHold) {
@@ -78,6 +231,14 @@ TEST(TrainingScene, OptionsNameTheBoundThatDoesNotHold) {
   EXPECT_EQ(check([](auto* o) { o->car_share = -0.1; }), "car_share must be in [0, 1]");
   EXPECT_EQ(check([](auto* o) { o->hole_share = 2.0; }), "hole_share must be in [0, 1]");
   EXPECT_EQ(check([](auto* o) { o->smooth_share = 2.0; }), "smooth_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->garden_share = 2.0; }), "garden_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->shed_share = 2.0; }), "shed_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->clutter_share = 2.0; }), "clutter_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->outlier_share = 2.0; }), "outlier_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->off_center_share = -1.0; }),
+            "off_center_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->most_noise = 3.0; }), "most_noise must be in [0, 2]");
+  EXPECT_EQ(check([](auto* o) { o->least_noise = 0.5; }), "least_noise must be in [0, most_noise]");
   EXPECT_EQ(check([](auto* o) { o->terrain_error = 3.0; }), "terrain_error must be in [0, 2]");
   EXPECT_EQ(check([](auto* o) { o->prior.max_diagonal = 3.0; }), "max_diagonal must be >= 26");
 }
