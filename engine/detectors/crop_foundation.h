@@ -13,6 +13,9 @@ namespace gable {
 /// The largest distance between edges of the same side, crop pixels.
 double largest_step(const CropRectangle& a, const CropRectangle& b);
 
+/// The largest distance between edges of the same side, crop pixels.
+double largest_step(const CropRectangle& a, const CropRectangle& b);
+
 /// The pixels whose centres lie in the rectangle.
 CropBits bits_of(const CropRectangle& rectangle);
 
