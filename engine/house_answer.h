@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/engine/annotated_house.h>
+#include <gable/engine/detectors/crop_rectangle.h>
 
 #include <Eigen/Core>
 #include <optional>
@@ -18,11 +19,6 @@ struct CropFrame {
 
   Eigen::Vector2d world_from_crop(const Eigen::Vector2d& crop) const;
   Eigen::Vector2d crop_from_world(const Eigen::Vector2d& world) const;
-};
-
-/// A rectangle in crop pixels.
-struct CropRectangle {
-  double x0 = 0.0, y0 = 0.0, x1 = 0.0, y1 = 0.0;  ///< x0 < x1, y0 < y1
 };
 
 /// One building of an editable list: what a program proposes and somebody corrects, in crop pixels.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/engine/detectors/crop_bits.h>
+#include <gable/engine/detectors/crop_rectangle.h>
 #include <gable/grammar/house.h>
 
 #include <Eigen/Core>
@@ -8,14 +9,6 @@
 #include <vector>
 
 namespace gable {
-
-/// An axis-aligned rectangle of a crop, crop pixels: x to the right, y down.
-struct CropRectangle {
-  double x0 = 0.0, x1 = 0.0, y0 = 0.0, y1 = 0.0;
-
-  double width() const { return x1 - x0; }
-  double height() const { return y1 - y0; }
-};
 
 /// The pixels whose centres lie in the rectangle.
 CropBits bits_of(const CropRectangle& rectangle);

@@ -62,7 +62,7 @@ HouseAnswer house_from_json(const Json& json) {
   require(rectangles.is_array(), "\"rectangles\" is no list");
   for (const Json& item : rectangles) {
     const std::vector<double> r = numbers(item, "rectangles", 4);
-    house.rectangles.push_back({r[0], r[1], r[2], r[3]});
+    house.rectangles.push_back({r[0], r[2], r[1], r[3]});
   }
   house.polygon = points(json, "polygon");
   house.roofs = roofs(json, "roofs");

@@ -1,7 +1,7 @@
 #include <gable/engine/detectors/house_crop.h>
 #include <gable/engine/error.h>
 #include <gable/engine/reconstruct/annotate/annotated_from_answer.h>
-#include <gable/engine/reconstruct/wing_polygons.h>
+#include <gable/grammar/wing_polygons.h>
 #include <gable/grammar/plan_outline.h>
 
 #include <Eigen/Geometry>
@@ -188,7 +188,7 @@ HouseAnswer answer_from_annotated(const AnnotatedHouse& house) {
 
   for (const auto& corners : house.components) {
     const Eigen::AlignedBox2d r = box_of(in_crop({corners.begin(), corners.end()}, frame));
-    answer.rectangles.push_back({r.min().x(), r.min().y(), r.max().x(), r.max().y()});
+    answer.rectangles.push_back({r.min().x(), r.max().x(), r.min().y(), r.max().y()});
   }
   answer.polygon = in_crop(house.outline, frame);
   answer.dormers = in_crop(house.dormers, frame);

@@ -282,7 +282,7 @@ double low_height(const HeightRaster& dsm, const CropFrame& frame) {
     }
   }
   if (heights.empty()) return 0.0;
-  const auto low = heights.begin() + static_cast<long>(heights.size() / 20);
+  const auto low = heights.begin() + static_cast<long>(heights.size() / 5);
   std::nth_element(heights.begin(), low, heights.end());
   return *low;
 }

@@ -35,7 +35,7 @@ class ToCrop {
     using namespace block_value;
     const Eigen::Vector2d a = (*this)(block[kX0], block[kY0]), b = (*this)(block[kX1], block[kY1]);
     const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
-    return {low.x(), low.y(), high.x(), high.y()};
+    return {low.x(), high.x(), low.y(), high.y()};
   }
 
  private:
