@@ -13,7 +13,7 @@ import onnx
 import torch
 
 from calibrate import calibrate
-from dataset import Dataset
+from dataset import Dataset, drawn
 from deployed import Deployed, multiply_adds
 from house_task import evaluate_house
 from networks import CROP_SIZE
@@ -68,8 +68,7 @@ def main() -> None:
         task = TASKS[network.NAME]()
         scores = {"of": {}}
         for kind, dataset in datasets.items():
-            rows = task.rows(dataset, dataset.split()[1])
-            rows = rows[:: max(1, -(-len(rows) // options.crops))]
+            rows = drawn(task.rows(dataset, dataset.split()[1]), options.crops)
             if network.NAME == "house" and kind == "synthesised":
                 # Half to calibrate with, the other half for the scores.
                 thresholds = evaluate_house(network, dataset, rows[::2])[1]

@@ -15,6 +15,20 @@ namespace {
 constexpr double kTolerance = 1e-4;
 constexpr size_t kBatches[] = {1, 5, 32};
 constexpr size_t kMapStride = 97;
+// The files hold fewer crops than the largest batch, to be small: they come over and over.
+constexpr size_t kNumCrops = 32;
+
+template <typename T>
+NpyArray<T> repeated(const NpyArray<T>& few) {
+  NpyArray<T> many;
+  many.shape = few.shape;
+  many.shape[0] = kNumCrops;
+  for (size_t i = 0; i < kNumCrops; ++i) {
+    const T* row = few.row(i % few.shape[0]);
+    many.values.insert(many.values.end(), row, row + few.row_size());
+  }
+  return many;
+}
 
 // The shipped networks against what PyTorch said of the same inputs, see training/detectors.
 // Without networks or references the tests are skipped.
@@ -37,10 +51,10 @@ class DetectorParity : public testing::Test {
   }
 
   NpyArray<uint8_t> inputs(const std::string& net) const {
-    return read_npy<uint8_t>(references_ + "parity_" + net + "_inputs.npy", "|u1");
+    return repeated(read_npy<uint8_t>(references_ + "parity_" + net + "_inputs.npy", "|u1"));
   }
   NpyArray<float> outputs(const std::string& name) const {
-    return read_npy<float>(references_ + "parity_" + name + ".npy", "<f4");
+    return repeated(read_npy<float>(references_ + "parity_" + name + ".npy", "<f4"));
   }
 
   std::string models_, references_;
