@@ -160,7 +160,10 @@ void plant_garden(const PlanRing& outline, Random* random, Greenery* greenery) {
       greenery->trees.push_back(tree);
     }
   }
-  const int shrubs = random->chance(0.3) ? random->integer(10, 40) : random->integer(0, 10);
+  const double dense = random->uniform(0.0, 1.0);
+  const int shrubs = dense < 0.15   ? random->integer(60, 140)
+                     : dense < 0.45 ? random->integer(15, 60)
+                                    : random->integer(0, 12);
   for (int i = 0; i < shrubs; ++i) {
     const WallPoint wall = random_wall_point(outline, random);
     Tree shrub;

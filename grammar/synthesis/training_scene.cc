@@ -176,7 +176,8 @@ std::string TrainingSceneOptions::check() const {
 TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
                                   const TrainingSceneOptions& options) {
   assert(options.check().empty());
-  Random random(seed);
+  // Scenes of different foundations with one seed are nothing alike.
+  Random random(Random(seed).next() + static_cast<uint64_t>(foundation));
   // Each has its own generator, so that one share changes nothing of the rest.
   Random for_survey = random.fork(), for_building = random.fork(), for_ground = random.fork();
   Random for_neighbours = random.fork(), for_sheds = random.fork(), for_cars = random.fork();
@@ -187,11 +188,13 @@ TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
   const double gsd = random_gsd(options, &for_survey);
   const Eigen::Vector2d at =
       kPlace + Eigen::Vector2d(for_survey.uniform(0.0, gsd), for_survey.uniform(0.0, gsd));
-  const bool smooth = for_survey.chance(options.smooth_share);
+  // Coarse cells are mostly means of many points.
+  const double coarse = gsd >= 0.75 ? 1.6 : 0.8;
+  const bool smooth = for_survey.chance(std::min(1.0, coarse * options.smooth_share));
   const bool off_center = for_survey.chance(options.off_center_share);
   SurveySampling sampling = random_sampling(smooth, gsd, &for_survey);
   if (!smooth && !off_center) sampling = SurveySampling();
-  const double blend = smooth && for_survey.chance(0.6) ? for_survey.uniform(0.3, 1.0) : 0.0;
+  const double blend = smooth && for_survey.chance(0.75) ? for_survey.uniform(0.3, 1.0) : 0.0;
 
   TrainingScene scene;
   Site site;

@@ -23,7 +23,8 @@ struct TrainingSceneOptions {
   double car_share = 0.3;         ///< with cars in front, [0, 1]
   double clutter_share = 0.4;     ///< with solar panels, vents, parapets on the roof, [0, 1]
   double hole_share = 0.25;       ///< surveys with missing cells, [0, 1]
-  double smooth_share = 0.4;      ///< surveys whose edges are smoothed, [0, 1]
+  double smooth_share = 0.45;     ///< surveys whose edges are smoothed, 0.8 of it below
+                                  ///< 0.75 m and 1.6 of it from there on, [0, 1]
   double off_center_share = 0.7;  ///< of the others: sampled off the cells' centres, [0, 1]
   double outlier_share = 0.15;    ///< surveys with outliers, 0.2 % of their cells, [0, 1]
   double least_noise = 0.02;      ///< range of the paper's noise, metres, [0, most_noise]

@@ -69,6 +69,8 @@ def training_lines(log: dict) -> list[str]:
     lines = [f"- Trained {length} on {options['threads']} thread(s): {last['step']} steps of "
              f"{options['batch']} crops, {crops / max(1e-9, 60 * last['minutes']):.0f} crops a "
              f"second; seed {options['seed']}, highest rate {options['rate']:g}"]
+    if options.get("start_from"):
+        lines.append("- Began with the averaged weights of an earlier training (`--start-from`)")
     numbers = log["crops to train on"]
     real = [f"{number} of {Path(folder).name}"
             for number, folder in zip(numbers[1:], options.get("real") or [])]

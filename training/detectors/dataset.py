@@ -89,3 +89,9 @@ class Dataset:
         if len(starts):
             begin = int(starts[np.argmin(np.abs(starts - begin))])
         return np.arange(begin), np.arange(begin, total)
+
+
+def drawn(rows: np.ndarray, count: int) -> np.ndarray:
+    """At most so many of the rows, drawn without order, always the same. Rows at equal steps would
+    not do: synthesised crops take turns by foundation."""
+    return np.random.default_rng(0).permutation(rows)[:count]

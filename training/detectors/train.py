@@ -16,7 +16,7 @@ import torch
 from average import WeightAverage
 from azimuth_task import AzimuthTask
 from curves import draw_curves
-from dataset import Dataset
+from dataset import Dataset, drawn
 from deployed import multiply_adds
 from house_task import HouseTask
 from progress import ProgressLine
@@ -95,9 +95,7 @@ class Training:
         training, validation = (self.task.rows(dataset, rows) for rows in dataset.split())
         seed = self.options.seed + len(self.sources)
         self.sources.append(Source(dataset, training, size, weight, seed))
-        # Evenly over the whole, for shards may be sorted.
-        count = min(self.options.validation_crops, len(validation))
-        chosen = validation[np.linspace(0, len(validation) - 1, count).astype(int)]
+        chosen = drawn(validation, self.options.validation_crops)
         self.validation[name] = (dataset, chosen)
 
     def _resume(self) -> tuple[int, float]:
@@ -169,16 +167,22 @@ class Training:
                 sums[name] = sums.get(name, 0.0) + value
             steps += 1
             if steps == 50:
-                record = {name: value / steps for name, value in sums.items()}
-                self.log["steps"].append({"minutes": self.schedule.elapsed() / 60,
-                                          "step": self.step, **record})
+                self._record(sums, steps)
                 sums, steps = {}, 0
             if time.monotonic() - validated > options.validate_every * 60:
                 self._validate()
                 self._save()
                 validated = time.monotonic()
+        if steps:
+            self._record(sums, steps)
         self._validate()
         self._save()
+
+    def _record(self, sums: dict[str, float], steps: int) -> None:
+        """The mean losses of the last steps."""
+        means = {name: value / steps for name, value in sums.items()}
+        self.log["steps"].append({"minutes": self.schedule.elapsed() / 60, "step": self.step,
+                                  **means})
 
 
 def brief(scores: dict) -> str:

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """Writes what the exported networks must answer, as PyTorch computes it, for the test of how OpenCV
-runs them: of each network
+runs them (tests/engine/detectors/detector_parity_test.cc): of each network
 
-  parity_<net>_input.npy     12 x C x 64 x 64, uint8: synthesised crops, two of each foundation
-  parity_<net>_<output>.npy  12 x K, float32: of each crop the output as one row; of maps every
-                             97th value only, from the first
+  parity_<net>_inputs.npy    12 x C x 64 x 64, uint8: synthesised crops, two of each foundation
 
-Longer batches are these crops over and over."""
+and of each crop the outputs as one row, float32
+
+  parity_house_foundation.npy   12 x 6
+  parity_house_maps.npy         12 x 972: every 97th value, from the first
+  parity_roof_outputs.npy       12 x 9: roof_i, roof_l, roof_u
+  parity_azimuth_outputs.npy    12 x 24"""
 
 from __future__ import annotations
 
@@ -54,14 +57,15 @@ def main() -> None:
         deployed.load_state_dict(torch.load(Path(folder) / "deployed.pt"))
         network = deployed.network
         crops = crops_of(network.NAME, dataset)
-        np.save(out / f"parity_{network.NAME}_input.npy", crops)
         with torch.no_grad():
             outputs = deployed(torch.from_numpy(crops).float())
-        for name, output in zip(network.OUTPUTS, outputs):
-            values = output.reshape(len(crops), -1).numpy()
-            step = MAP_STEP if output.dim() == 4 else 1
-            np.save(out / f"parity_{network.NAME}_{name}.npy",
-                    np.ascontiguousarray(values[:, ::step]))
+        rows = [output.reshape(len(crops), -1).numpy() for output in outputs]
+        if network.NAME == "house":
+            named = {"foundation": rows[0], "maps": rows[1][:, ::MAP_STEP]}
+        else:
+            named = {"outputs": np.concatenate(rows, 1)}
+        for name, array in {"inputs": crops, **named}.items():
+            np.save(out / f"parity_{network.NAME}_{name}.npy", np.ascontiguousarray(array))
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #include <gable/engine/detectors/house_crop.h>
 #include <gable/engine/error.h>
 #include <gable/engine/reconstruct/annotate/annotated_from_answer.h>
-#include <gable/grammar/wing_polygons.h>
 #include <gable/grammar/plan_outline.h>
+#include <gable/grammar/wing_polygons.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -223,21 +223,19 @@ void place(const cv::Mat& panel, int left, cv::Mat* canvas) {
 }  // namespace
 
 Grid grid_around(const CropFrame& frame, const Grid& raster) {
-  double row0 = raster.rows, row1 = 0.0, col0 = raster.cols, col1 = 0.0;
+  Eigen::AlignedBox2d cells;  // rows and columns, to fractions
   for (const double x : {0.0, 1.0 * kCropSize}) {
     for (const double y : {0.0, 1.0 * kCropSize}) {
-      const Eigen::Vector2d cell = raster.cell_of(frame.world_from_crop({x, y}));
-      row0 = std::min(row0, cell.x());
-      row1 = std::max(row1, cell.x());
-      col0 = std::min(col0, cell.y());
-      col1 = std::max(col1, cell.y());
+      cells.extend(raster.cell_of(frame.world_from_crop({x, y})));
     }
   }
   const auto cell = [](double value, int count) {
     return static_cast<int>(std::clamp(std::floor(value), 0.0, 1.0 * count));
   };
-  const int top = cell(row0 - 1.0, raster.rows), bottom = cell(row1 + 3.0, raster.rows);
-  const int left = cell(col0 - 1.0, raster.cols), right = cell(col1 + 3.0, raster.cols);
+  const int top = cell(cells.min().x() - 1.0, raster.rows),
+            bottom = cell(cells.max().x() + 3.0, raster.rows);
+  const int left = cell(cells.min().y() - 1.0, raster.cols),
+            right = cell(cells.max().y() + 3.0, raster.cols);
   Grid grid = raster;
   grid.north_west += Eigen::Vector2d(left * raster.gsd, -top * raster.gsd);
   grid.rows = std::max(0, bottom - top);

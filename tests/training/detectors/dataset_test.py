@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from dataset import NAMES, Dataset
+from dataset import NAMES, Dataset, drawn
 from stream import Stream
 
 
@@ -57,6 +57,16 @@ class DatasetTest(unittest.TestCase):
             (Path(folder) / "roofs_0001.npy").unlink()
             with self.assertRaisesRegex(SystemExit, "roofs_0001.npy: is missing"):
                 Dataset(folder)
+
+    def test_drawn_crops_and_both_halves_of_them_hold_every_foundation_alike(self):
+        foundation = np.arange(6000) % 6
+        rows = drawn(np.arange(6000), 3000)
+        self.assertEqual(len(set(rows)), 3000)
+        for half in (rows[::2], rows[1::2]):
+            shares = np.bincount(foundation[half], minlength=6) / len(half)
+            self.assertLess(np.abs(shares - 1 / 6).max(), 0.04)
+        np.testing.assert_array_equal(rows, drawn(np.arange(6000), 3000))
+        self.assertEqual(len(drawn(np.arange(5), 100)), 5)
 
     def test_an_epoch_takes_every_crop_once_and_resuming_changes_nothing(self):
         rows = np.arange(100, 140)

@@ -63,6 +63,8 @@ class NetworksTest(unittest.TestCase):
             clear = (before[:, maps_of(kind)] - threshold).abs() > 1e-5
             same = (before[:, maps_of(kind)] > threshold) == (after[:, maps_of(kind)] > 0.5)
             self.assertTrue(same[clear].all(), kind)
+        calibrate(network, {"garages": 1.0})
+        self.assertTrue(torch.isfinite(network.maps.bias).all())
         self.assertEqual(maps_of("corners L") + maps_of("garages"), [12, 13, 14, 15, 22])
 
 

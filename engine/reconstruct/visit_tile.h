@@ -1,0 +1,22 @@
+#pragma once
+
+#include <gable/engine/reconstruct/reconstruct_tile.h>
+
+#include <functional>
+#include <stop_token>
+#include <string>
+
+namespace gable {
+
+/// Fills a building whose `image` is set: `id` and, where it is known, `outline` in the image's
+/// local frame, otherwise null. Called by worker threads.
+using MakeBuilding =
+    std::function<void(const std::string& id, const PlanPolygon* outline, TileBuilding* building)>;
+
+/// Cuts the height images of all buildings of a raster of any size, window by window, and has `make`
+/// make something of each, on several threads. `reconstruct_tile` is this with reconstruction.
+TileSummary visit_tile(const TileInput& input, const TileOptions& options,
+                       const std::stop_token& stop, const TileCallbacks& callbacks,
+                       const MakeBuilding& make);
+
+}  // namespace gable
