@@ -77,6 +77,8 @@ TrainingSceneOptions no_defects() {
   options.neighbour_share = options.tree_share = options.garden_share = options.shed_share = 0.0;
   options.car_share = options.clutter_share = options.hole_share = options.smooth_share = 0.0;
   options.off_center_share = options.outlier_share = 0.0;
+  options.row_share = options.oblique_share = options.torn_share = 0.0;
+  options.plain_share = options.footprint_error = 0.0;
   options.least_noise = options.most_noise = options.terrain_error = 0.0;
   return options;
 }
