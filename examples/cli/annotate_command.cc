@@ -26,6 +26,7 @@
 #include <string>
 #include <vector>
 
+#include "examples/cli/detector_options.h"
 #include "examples/cli/progress.h"
 
 namespace gable {
@@ -38,6 +39,7 @@ struct AnnotateOptions {
   std::string dsm, dtm, footprints, crs, output, apply, show;
   std::vector<double> extent;
   AnnotationSheetOptions sheets;
+  DetectorOptions detectors;
 };
 
 void say(const AnnotateOptions& options, const std::string& line) {
@@ -150,6 +152,7 @@ void propose(const AnnotateOptions& options, const CommandContext& context) {
   };
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
+  tile_options.detectors = options.detectors.folder();
   const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
   progress.reset();
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
@@ -256,6 +259,7 @@ void add_annotate_command(CLI::App* app, const CommandContext& context) {
       ->type_name("N")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();
+  add_detector_options(command, &options->detectors);
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });
 }
