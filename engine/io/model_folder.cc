@@ -63,13 +63,18 @@ std::string find_scale_model(const std::string& model) {
                   ", or give a file that ends with " + kExtension);
 }
 
-std::string find_detector_models() {
-  const std::vector<std::string> folders = model_folders();
-  for (const std::string& folder : folders) {
+std::string installed_detector_models() {
+  for (const std::string& folder : model_folders()) {
     const fs::path detectors = fs::path(folder) / kDetectors;
     std::error_code none;
     if (fs::is_directory(detectors, none)) return detectors.string();
   }
+  return "";
+}
+
+std::string find_detector_models() {
+  if (std::string detectors = installed_detector_models(); !detectors.empty()) return detectors;
+  const std::vector<std::string> folders = model_folders();
   const std::string looked_in = folders.empty() ? "models" : folders.front();
   throw Error(ExitCode::kNoInput,
               (fs::path(looked_in) / kDetectors).string() +

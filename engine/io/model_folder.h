@@ -23,4 +23,7 @@ std::string find_scale_model(const std::string& model);
 /// `detectors` in model_folders(). Throws Error (kNoInput) where there is none.
 std::string find_detector_models();
 
+/// The same, or "" where there is none.
+std::string installed_detector_models();
+
 }  // namespace gable

@@ -64,6 +64,47 @@ double noise_around(const HeightImage& image, const House& house, double fallbac
   return 1.4826 * errors[errors.size() / 2];
 }
 
+// Position of C in arrays by Foundation; houses are what comes before it.
+constexpr int kC = static_cast<int>(Foundation::kC);
+
+// Probabilities of the types given that it is a house of the grammar.
+std::array<double, kNumFoundations> among_houses(
+    const std::array<float, kNumFoundations>& probabilities) {
+  double sum = 0.0;
+  for (int i = 0; i < kC; ++i) sum += probabilities[i];
+  std::array<double, kNumFoundations> among{};
+  for (int i = 0; i < kC; ++i) among[i] = sum > 0.0 ? probabilities[i] / sum : 1.0 / kC;
+  return among;
+}
+
+std::vector<Candidate> classical_values(const HeightImage& image, int inside,
+                                        const HouseChoiceOptions& options) {
+  std::vector<Candidate> candidates;
+  const double separation = 7.0 * M_PI / 180.0;
+  for (const AzimuthCandidate& azimuth : azimuth_candidates(image, separation)) {
+    const double cell =
+        std::max({image.gsd, 0.5, std::sqrt(inside * image.gsd * image.gsd) / 60.0});
+    const RectifiedView view = rectify(image, azimuth.azimuth, cell, 1.5);
+    BlockSearchOptions search;
+    search.per_foundation = options.per_foundation;
+    for (Hypothesis& hypothesis : search_blocks(view, image.origin, search)) {
+      candidates.push_back({std::move(hypothesis.house), {}, ValueSource::kClassical});
+    }
+  }
+  return candidates;
+}
+
+// Drops the hypotheses of improbable types unless that leaves none.
+void drop_improbable(const DetectedValues& detected, const HouseChoiceOptions& options,
+                     std::vector<Candidate>* candidates) {
+  const std::array<double, kNumFoundations> among = among_houses(detected.foundation);
+  const auto improbable = [&](const Candidate& c) {
+    return among[static_cast<size_t>(c.house.foundation)] < options.skipped_probability;
+  };
+  if (std::all_of(candidates->begin(), candidates->end(), improbable)) return;
+  std::erase_if(*candidates, improbable);
+}
+
 int count_inside(const HeightImage& image) {
   return static_cast<int>(std::count(image.inside.begin(), image.inside.end(), 1));
 }
@@ -96,31 +137,54 @@ std::string check(const HouseChoiceOptions& options) {
   if (!(options.hopeless > 1.0)) return "hopeless must be above 1";
   if (!(options.least_noise > 0.0)) return "least_noise must be positive";
   if (!(options.most_noise >= options.least_noise)) return "most_noise is below least_noise";
+  if (!(options.type_weight >= 0.0 && options.type_weight <= 100.0)) {
+    return "type_weight must lie in [0, 100]";
+  }
+  if (!(options.least_probability > 0.0 && options.least_probability <= 1.0)) {
+    return "least_probability must lie in (0, 1]";
+  }
+  if (!(options.skipped_probability >= 0.0 && options.skipped_probability <= 1.0)) {
+    return "skipped_probability must lie in [0, 1]";
+  }
   return "";
 }
 
-HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& options) {
+std::string_view value_source_name(ValueSource source) {
+  return source == ValueSource::kDetectors ? "detectors" : "classical";
+}
+
+std::array<double, kNumFoundations> foundation_charges(
+    const std::array<float, kNumFoundations>& probabilities, const HouseChoiceOptions& options) {
+  const std::array<double, kNumFoundations> among = among_houses(probabilities);
+  std::array<double, kNumFoundations> charges{};
+  for (int i = 0; i < kC; ++i) {
+    const double p = std::clamp(among[i], options.least_probability, 1.0);
+    charges[i] = -2.0 * options.type_weight * std::log(p);
+  }
+  return charges;
+}
+
+HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& options,
+                         const DetectedValues* detected) {
   CHECK(check(options).empty()) << check(options);
   HouseChoice choice;
   const int inside = count_inside(image);
   const int stride = inside > kManyPixels ? 2 : 1;
 
   std::vector<Candidate> candidates;
-  const double separation = 7.0 * M_PI / 180.0;
-  for (const AzimuthCandidate& azimuth : azimuth_candidates(image, separation)) {
-    const double cell =
-        std::max({image.gsd, 0.5, std::sqrt(inside * image.gsd * image.gsd) / 60.0});
-    const RectifiedView view = rectify(image, azimuth.azimuth, cell, 1.5);
-    BlockSearchOptions search;
-    search.per_foundation = options.per_foundation;
-    for (Hypothesis& hypothesis : search_blocks(view, image.origin, search)) {
-      candidates.push_back({std::move(hypothesis.house), {}});
+  if (options.classical) candidates = classical_values(image, inside, options);
+  PenaltyOptions penalty;
+  if (detected != nullptr) {
+    choice.foundation = detected->foundation;
+    penalty.foundation_charge = foundation_charges(detected->foundation, options);
+    drop_improbable(*detected, options, &candidates);
+    for (const FirstValue& value : detected->houses) {
+      candidates.push_back({value.house, {}, ValueSource::kDetectors});
     }
   }
   choice.hypotheses = static_cast<int>(candidates.size());
   if (candidates.empty()) return choice;
 
-  PenaltyOptions penalty;
   penalty.support = 0.25;
   penalty.loss = LossKind::kGemanMcClure;
   penalty.loss_scale = 0.5;
@@ -131,7 +195,9 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
         refine(image, {{1.5, LossKind::kSoftL1, 0.3, stride, 12}}, false, &c.house);
     c.cost = derivation_cost(image, c.house);
     c.cost.squared_residuals = 2.0 * summary.final_cost * stride * stride;
-    c.cost.total += c.cost.squared_residuals / (kWideNoise * kWideNoise);
+    c.cost.prior += penalty.foundation_charge[static_cast<size_t>(c.house.foundation)];
+    c.cost.total += c.cost.squared_residuals / (kWideNoise * kWideNoise) +
+                    penalty.foundation_charge[static_cast<size_t>(c.house.foundation)];
     least = std::min(least, c.cost.squared_residuals);
   }
   const auto cheaper = [](const Candidate& a, const Candidate& b) {
@@ -195,7 +261,7 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   for (size_t i = 0; i < finalists.size() && finalists.size() < kMostFinalists; ++i) {
     if (finalists[i].cost.total > cheapest + kWorthRewriting) continue;
     for (House& other : rewrites(finalists[i].house, {})) {
-      Candidate c{std::move(other), {}};
+      Candidate c{std::move(other), {}, finalists[i].source};
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
       finish(image, penalty, leftovers.penalty, &c);
       if (c.cost.total < finalists[i].cost.total + kWorthRewriting) {

@@ -106,7 +106,8 @@ PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options) {
   PenalisedCost cost = derivation_cost(image, house);
   cost.squared_residuals = squared_residuals(image, house, options);
-  const double charge = kUnfitCharge * count_unfit_blocks(image, house, options.noise);
+  const double charge = kUnfitCharge * count_unfit_blocks(image, house, options.noise) +
+                        options.foundation_charge[static_cast<size_t>(house.foundation)];
   cost.prior += charge;
   cost.total += charge + cost.squared_residuals / (options.noise * options.noise);
   return cost;

@@ -4,6 +4,8 @@
 #include <gable/residuals/height_image.h>
 #include <gable/residuals/robust_loss.h>
 
+#include <array>
+
 namespace gable {
 
 /// What hypotheses are compared by: a minimum description length. With S the sum of squared robust
@@ -14,8 +16,8 @@ namespace gable {
 /// i.e. twice the negative log-likelihood under the robust loss plus the Bayesian information
 /// criterion's price. Lower is better; a rule pays if it lowers J. The wings of an L or a U share
 /// their eaves: they count as one parameter, and differences are charged as those of a Gaussian.
-/// Low flat components, which are garages, and blocks that do not fit (`count_unfit_blocks`) are
-/// charged as well.
+/// Low flat components, which are garages, blocks that do not fit (`count_unfit_blocks`), and
+/// foundations by how improbable they are before the heights are looked at are charged as well.
 struct PenalisedCost {
   double squared_residuals = 0.0;  ///< S, square metres
   int num_parameters = 0;          ///< k
@@ -30,6 +32,8 @@ struct PenaltyOptions {
   LossKind loss = LossKind::kSoftL1;
   double loss_scale = 0.3;  ///< metres
   double noise = 0.15;      ///< sigma, metres, > 0
+  /// Charge of each foundation, by Foundation: none unless something is known beforehand.
+  std::array<double, 6> foundation_charge{};
 };
 
 /// S alone.

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <utility>
 
 namespace gable {
@@ -108,7 +109,8 @@ std::string check(const BuildingOptions& options) {
 
 ReconstructedBuilding reconstruct_building(const std::string& id, const HeightImage& image,
                                            const PlanPolygon* outline,
-                                           const BuildingOptions& options) {
+                                           const BuildingOptions& options,
+                                           const DetectValues& detect) {
   CHECK(check(options).empty()) << check(options);
   const Stopwatch watch;
   ReconstructedBuilding extrusion;
@@ -130,7 +132,9 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   }
   HouseChoiceOptions choice_options = options.choice;
   choice_options.outline_known = outline != nullptr;
-  extrusion.choice = choose_house(image, choice_options);
+  std::optional<DetectedValues> detected;
+  if (detect) detected = detect(image);
+  extrusion.choice = choose_house(image, choice_options, detected ? &*detected : nullptr);
   const HouseChoice& choice = extrusion.choice;
   if (!choice.found) return give_extrusion("no house of the grammar explains the heights");
 

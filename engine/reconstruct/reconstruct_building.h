@@ -35,10 +35,11 @@ struct ReconstructedBuilding {
 /// solid can be made of the house; then that extrusion, with the reason. Both are measured over the
 /// inside pixels, a miss counting as terrain, with what they cover beyond them added. `outline` is
 /// the known outline in the image's local frame, or null: then it is traced from the inside pixels.
-/// Always returns a building.
+/// `detect` is a second source of first values, or empty. Always returns a building.
 ReconstructedBuilding reconstruct_building(const std::string& id, const HeightImage& image,
                                            const PlanPolygon* outline,
-                                           const BuildingOptions& options);
+                                           const BuildingOptions& options,
+                                           const DetectValues& detect = {});
 
 /// Refines a house against its heights; house.origin must be image->origin. The start is kept, with
 /// a reason, where refinement does not lower the cost of its last stage or leaves no valid solid.

@@ -1,13 +1,16 @@
+#include <gable/engine/reconstruct/detector_pool.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
 #include <gable/engine/reconstruct/visit_tile.h>
 
+#include <optional>
 #include <utility>
 
 namespace gable {
 
 std::string check(const TileOptions& options) {
   for (const std::string& error :
-       {check(options.find), check(options.crop), check(options.building)}) {
+       {check(options.find), check(options.crop), check(options.building),
+        check(options.detected_values)}) {
     if (!error.empty()) return error;
   }
   if (options.window_cells < 64 || options.window_cells > 32768) {
@@ -22,11 +25,19 @@ std::string check(const TileOptions& options) {
 
 TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
                              const std::stop_token& stop, const TileCallbacks& callbacks) {
+  std::optional<DetectorPool> pool;
+  DetectValues detect;
+  if (!options.detectors.empty()) {
+    pool.emplace(options.detectors);
+    detect = [&](const HeightImage& image) {
+      return detect_values(image, pool->lend().get(), options.detected_values);
+    };
+  }
   return visit_tile(
       input, options, stop, callbacks,
       [&](const std::string& id, const PlanPolygon* outline, TileBuilding* building) {
         ReconstructedBuilding made =
-            reconstruct_building(id, building->image, outline, options.building);
+            reconstruct_building(id, building->image, outline, options.building, detect);
         building->building = std::move(made.building);
         building->model = std::move(made.model);
         building->choice = std::move(made.choice);

@@ -39,6 +39,10 @@ struct TileOptions {
   /// are longer may be cut where windows meet.
   double overlap = 100.0;
   int threads = 1;  ///< [1, 1024]
+  /// Folder of the learned detectors (engine/detectors/detector_nets.h), a second source of first
+  /// values; empty: none.
+  std::string detectors;
+  DetectedValuesOptions detected_values;
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
@@ -75,7 +79,7 @@ struct TileSummary {
 /// Reconstructs all buildings of a raster of any size, window by window, on several threads. The
 /// buildings and their order depend on neither the number of threads nor their timing. Buildings
 /// that are found get ids from their place: "b<easting>_<northing>" in decimetres. Throws Error
-/// where a file is damaged.
+/// where a file is damaged, before any work where it is one of the detectors.
 TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
                              const std::stop_token& stop, const TileCallbacks& callbacks);
 

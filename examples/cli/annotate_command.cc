@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "examples/cli/detector_options.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
 
@@ -39,6 +40,7 @@ struct AnnotateOptions {
   std::string output, apply, show;
   std::vector<double> extent;
   AnnotationSheetOptions sheets;
+  DetectorOptions detectors;
 };
 
 void say(const AnnotateOptions& options, const std::string& line) {
@@ -143,7 +145,9 @@ void propose(const AnnotateOptions& options, const CommandContext& context) {
   };
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
-  const TileSummary summary = reconstruct_tile(files.input(), tile_options, context.stop, callbacks);
+  tile_options.detectors = options.detectors.folder();
+  const TileSummary summary =
+      reconstruct_tile(files.input(), tile_options, context.stop, callbacks);
   progress.reset();
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
   if (answers.houses.empty()) {
@@ -245,6 +249,7 @@ void add_annotate_command(CLI::App* app, const CommandContext& context) {
       ->type_name("N")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();
+  add_detector_options(command, &options->detectors);
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "examples/cli/detector_options.h"
 #include "examples/cli/new_folder.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
@@ -21,6 +22,7 @@ namespace {
 struct LabelOptions {
   CommonOptions common;
   TileFileOptions tile;
+  DetectorOptions detectors;
   std::string folder;
   std::vector<double> extent;
   RealSampleOptions sample;
@@ -41,6 +43,7 @@ void run(const LabelOptions& options, const CommandContext& context) {
   DatasetFolder dataset(options.folder, std::filesystem::path(options.tile.dsm).filename().string());
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
+  tile_options.detectors = options.detectors.folder();
   std::unique_ptr<Progress> progress;
   std::array<size_t, 4> verdicts{};
   std::vector<TrainingSample> samples;
@@ -75,6 +78,7 @@ void add_label_command(CLI::App* app, const CommandContext& context) {
   CLI::App* command = app->add_subcommand(
       "label", "Write crops of the houses that reconstruction is sure of, as a training set");
   add_tile_file_options(command, &options->tile);
+  add_detector_options(command, &options->detectors);
   command
       ->add_option("--extent", options->extent,
                    "Only buildings with their centre in west south east north, world metres")

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
+#include <opencv2/core.hpp>
 #include <string>
 
 #include "examples/cli/annotate_command.h"
@@ -46,6 +47,7 @@ std::string on_one_line(std::string text) {
 
 int run_program(int argc, char** argv) {
   const Interrupt interrupt;  // before anything starts a thread
+  cv::setNumThreads(1);       // buildings are spread over threads, not what is done for each
   CLI::App app{kDescription, "gable"};
   app.set_version_flag("--version", "gable " GABLE_VERSION, "Print the version and end");
   app.set_help_flag("-h,--help", "Print this help and end");

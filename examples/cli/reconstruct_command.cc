@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "examples/cli/detector_options.h"
 #include "examples/cli/model_outputs.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
@@ -18,6 +19,7 @@ struct ReconstructOptions {
   CommonOptions common;
   OutputOptions output;
   TileFileOptions tile;
+  DetectorOptions detectors;
   std::string filter;
 };
 
@@ -56,6 +58,10 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
 
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
+  tile_options.detectors = options.detectors.folder();
+  if (tile_options.detectors.empty() && !options.detectors.none) {
+    say(options, "no detectors are installed, so houses are searched in the heights alone");
+  }
   std::unique_ptr<Progress> progress;
   size_t num_extrusions = 0;
   TileCallbacks callbacks;
@@ -95,6 +101,7 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
                    "bounding box enlarged to twice its size")
       ->type_name("FILE")
       ->excludes(footprints);
+  add_detector_options(command, &options->detectors);
   add_output_options(command, &options->output);
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });

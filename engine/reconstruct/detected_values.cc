@@ -1,0 +1,42 @@
+#include <gable/engine/reconstruct/azimuth.h>
+#include <gable/engine/reconstruct/detected_values.h>
+#include <glog/logging.h>
+
+#include <utility>
+
+namespace gable {
+namespace {
+
+// Directions nearer than this are one, radians; only the first is of interest here.
+constexpr double kSeparation = 0.1;
+
+}  // namespace
+
+std::string check(const DetectedValuesOptions& options) {
+  if (const std::string error = check(options.detection); !error.empty()) return error;
+  if (!(options.least_confidence >= 0.0 && options.least_confidence <= 2.0)) {
+    return "least_confidence must lie in [0, 2]";
+  }
+  return "";
+}
+
+DetectedValues detect_values(const HeightImage& image, DetectorNets* nets,
+                             const DetectedValuesOptions& options) {
+  CHECK(check(options).empty()) << check(options);
+  DetectedValues values;
+  const AzimuthAnswer answer = detect_azimuth(image, nets);
+  values.azimuth = answer.angle();
+  values.azimuth_confidence = answer.confidence();
+  if (values.azimuth_confidence < options.least_confidence) {
+    values.azimuth = azimuth_candidates(image, kSeparation).front().azimuth;
+  }
+  Detection detection =
+      detect_house(make_house_crop(image, values.azimuth), image, nets, options.detection);
+  values.foundation = detection.foundation;
+  for (HouseHypothesis& hypothesis : detection.houses) {
+    values.houses.push_back({std::move(hypothesis.house), hypothesis.log_probability});
+  }
+  return values;
+}
+
+}  // namespace gable
