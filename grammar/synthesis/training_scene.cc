@@ -93,9 +93,9 @@ struct Site {
   BuiltShape building;  ///< empty: a grove
   BuiltShape others;    ///< neighbours, sheds, cars
   Greenery greenery;
-  PlanRing around;         ///< the building's outline, or the box around a grove
-  bool in_row = false;     ///< has the neighbours of a row
-  bool leans = false;      ///< its roof is not the house's: the truth is the building's
+  PlanRing around;          ///< the building's outline, or the box around a grove
+  bool in_row = false;      ///< has the neighbours of a row
+  bool leans = false;       ///< its roof is not the house's: the truth is the building's
   bool by_outline = false;  ///< cannot be found in the heights
 };
 
@@ -121,8 +121,8 @@ bool keeps_details(const House& house, const PlanRing& ring) {
 
 double area_of(const PlanPolygon& polygon) { return std::abs(signed_area(polygon.outer)); }
 
-/// Cuts the front or the back of a house's footprint, or both, at least_angle to most_angle degrees,
-/// where what is lost lies within the shares and holds no dormer or chimney.
+/// Cuts the front or the back of a house's footprint, or both, at least_angle to most_angle
+/// degrees, where what is lost lies within the shares and holds no dormer or chimney.
 bool cut_footprint(double least_angle, double most_angle, double least_share, double most_share,
                    Random* random, TrainingScene* scene) {
   const double azimuth = scene->house.azimuth[0];
