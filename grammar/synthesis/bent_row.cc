@@ -59,10 +59,11 @@ BuiltShape draw(Random* random) {
   for (int i = 0; i < stretches; ++i) {
     const double length = random->uniform(7.0, 22.0);
     if (i > 0) {
-      const double kind = random->uniform(0.0, 1.0);
+      // One bend at least is oblique: right angles and offsets alone would make an L, a U or a II.
+      const double kind = i == 1 ? 0.0 : random->uniform(0.0, 1.0);
       const double same = random->chance(0.75) ? side : -side;
       if (kind < 0.45) {
-        course.azimuth += same * random->uniform(12.0, 35.0) * kDegree;
+        course.azimuth += same * random->uniform(15.0, 40.0) * kDegree;
       } else if (kind < 0.75) {
         course.azimuth += same * random->uniform(80.0, 100.0) * kDegree;
       } else {
