@@ -152,13 +152,17 @@ void place_row_house(Foundation foundation, double gsd, double oblique_share,
   site->by_outline = cut_footprint(10.0, 25.0, 0.0, kWholeShare, random, scene);
 }
 
-/// A slice of a row of which too much is cut off to be a rectangle.
+/// A slice of a row, or a shed, of which too much is cut off to be a rectangle.
 bool place_torn_house(double gsd, const Eigen::Vector3d& at, Random* random, TrainingScene* scene,
                       Site* site) {
+  // Those of real registers are mostly sheds and flat.
+  const bool shed = random->chance(0.45);
   const Foundation of = random->chance(0.6) ? Foundation::kI : Foundation::kII;
-  place_house(random_row_house(of, gsd, random), at, scene, site);
-  if (!cut_footprint(28.0, 55.0, kTornShare, 0.6, random, scene)) return false;
-  site->others.append(random_row_beside(scene->house, random));
+  House house = shed ? random_plain_house(PlainKind::kOuthouse, gsd, random)
+                     : random_row_house(of, gsd, random);
+  place_house(std::move(house), at, scene, site);
+  if (!cut_footprint(25.0, 55.0, kTornShare, 0.6, random, scene)) return false;
+  if (!shed) site->others.append(random_row_beside(scene->house, random));
   site->in_row = site->by_outline = true;
   return true;
 }
@@ -218,7 +222,7 @@ void place_building(Foundation foundation, double gsd, const TrainingSceneOption
   } else if (!random->chance(options.torn_share) ||
              !place_torn_house(gsd, at, random, scene, site)) {
     site->building = random->chance(options.bent_share)
-                         ? random_bent_row(std::clamp(75.0 * gsd, 30.0, 70.0), random)
+                         ? random_bent_row(std::clamp(100.0 * gsd, 30.0, 100.0), random)
                          : random_complex(random);
     site->building.move(at);
     scene->outline = outline_of(site->building);

@@ -35,12 +35,12 @@ struct TrainingSceneOptions {
   double oblique_share = 0.35;    ///< of those: footprints cut obliquely, by 15 % at most, [0, 1]
   double plain_share = 0.5;       ///< of the other I: plain houses, long terraces, sheds, [0, 1]
   double gable_share = 0.35;      ///< of the other I, II, III: those without any hip, [0, 1]
-  double bent_share = 0.25;       ///< of the built C: bent rows, up to 70 m long, [0, 1]
-  double torn_share = 0.08;       ///< of the built C: slices of a row with 22-60 % of their
-                                  ///< footprint cut off, [0, 1]
-  double least_hip_cells = 1.6;   ///< hips of a shorter run are gables, cells, [0, 4]
-  double footprint_error = 0.5;   ///< most that `footprint` is moved by, metres, [0, 1]
-  PriorOptions prior;             ///< of the details
+  double bent_share = 0.25;  ///< of the built C: bent and linked rows, up to 100 m long, [0, 1]
+  double torn_share = 0.12;  ///< of the built C: slices of a row and sheds with 22-60 % of their
+                             ///< footprint cut off, [0, 1]
+  double least_hip_cells = 1.6;  ///< hips of a shorter run are gables, cells, [0, 4]
+  double footprint_error = 0.5;  ///< most that `footprint` is moved by, metres, [0, 1]
+  PriorOptions prior;            ///< of the details
 
   /// Empty, or one line that names the bound that does not hold.
   std::string check() const;
