@@ -197,7 +197,9 @@ void place_any_house(Foundation foundation, double gsd, const TrainingSceneOptio
     return;
   }
   House house = random_training_house(foundation, random, options.prior);
-  const bool no_hips = free_blocks && random->chance(options.gable_share);
+  // Where walls are smeared, hips are labels that hardly show.
+  const double gable_share = std::min(1.0, (gsd < kCoarse ? 1.0 : 1.6) * options.gable_share);
+  const bool no_hips = free_blocks && random->chance(gable_share);
   drop_short_hips(no_hips ? std::numeric_limits<double>::infinity() : options.least_hip_cells * gsd,
                   &house);
   place_house(std::move(house), at, scene, site);
@@ -344,7 +346,7 @@ TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
     site.others.append(random_cars(site.around, ground, &for_cars));
     scene.outline_needed |= is_building && is_joined(site, ground, reach);
   }
-  if (for_garden.chance(options.garden_share)) {
+  if (for_garden.chance(std::min(1.0, (gsd < kCoarse ? 1.0 : 1.35) * options.garden_share))) {
     plant_garden(site.around, &for_garden, &site.greenery);
   }
   if (is_building && for_trees.chance(options.tree_share)) {

@@ -18,7 +18,8 @@ struct TrainingSceneOptions {
   double most_gsd = 1.0;          ///< metres, >= least_gsd, <= 2
   double neighbour_share = 0.35;  ///< with a neighbour across a party wall or close by, [0, 1]
   double tree_share = 0.45;       ///< with trees that reach over a wall, [0, 1]
-  double garden_share = 0.7;      ///< with trees, shrubs and hedges around, [0, 1]
+  double garden_share = 0.7;      ///< with trees, shrubs and hedges around, 1.35 of it from
+                                  ///< cells of 0.75 m on, [0, 1]
   double shed_share = 0.25;       ///< with sheds, [0, 1]
   double car_share = 0.3;         ///< with cars in front, [0, 1]
   double clutter_share = 0.4;     ///< with solar panels, vents, parapets on the roof, [0, 1]
@@ -34,7 +35,8 @@ struct TrainingSceneOptions {
                                   ///< neighbours, 0.4 of it from cells of 0.75 m on, [0, 1]
   double oblique_share = 0.35;    ///< of those: footprints cut obliquely, by 15 % at most, [0, 1]
   double plain_share = 0.5;       ///< of the other I: plain houses, long terraces, sheds, [0, 1]
-  double gable_share = 0.35;      ///< of the other I, II, III: those without any hip, [0, 1]
+  double gable_share = 0.35;      ///< of the other I, II, III: those without any hip, 1.6 of it
+                                  ///< from cells of 0.75 m on, [0, 1]
   double bent_share = 0.25;  ///< of the built C: bent and linked rows, up to 100 m long, [0, 1]
   double torn_share = 0.12;  ///< of the built C: slices of a row and sheds with 22-60 % of their
                              ///< footprint cut off, [0, 1]
