@@ -123,7 +123,8 @@ TrainingSample label_building(const HeightImage& image, Foundation foundation, c
   const auto centers = [&](const std::vector<Rule>& rules) {
     std::vector<Eigen::Vector2d> points;
     for (const Rule& rule : rules) {
-      points.push_back(crop_from_own_frame(*house, {rule[0], rule[1]}, sample.crop, image.origin));
+      points.push_back(
+          crop_from_own_frame(*house, {rule[0], rule[1]}, sample.crop, image.origin));
     }
     return points;
   };
@@ -142,8 +143,8 @@ std::optional<TrainingSample> make_training_sample(const TrainingScene& scene, R
   }
   House shown = scene.house;
   keep_visible_details(scene, &shown);
-  const double error =
-      random->chance(0.9) ? random->normal(kRoughTurn) : random->uniform(-kWrongTurn, kWrongTurn);
+  const double error = random->chance(0.9) ? random->normal(kRoughTurn)
+                                           : random->uniform(-kWrongTurn, kWrongTurn);
   const double azimuth =
       scene.house.azimuth[0] + error + 0.5 * M_PI * static_cast<double>(random->integer(0, 3));
   return label_building(*image, scene.foundation, &shown, azimuth);

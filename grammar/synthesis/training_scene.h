@@ -60,7 +60,8 @@ struct TrainingScene {
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< a world point on the building
   HeightRaster dsm;                                  ///< surveyed, NaN: missing
   HeightRaster dtm;    ///< the terrain as a survey derives it: smooth, a little wrong
-  HeightRaster truth;  ///< noise-free world heights of the building alone, NaN elsewhere
+  HeightRaster truth;  ///< noise-free world heights of the building alone, NaN elsewhere; those
+                       ///< of `house` but for flat sheds that lean
   /// Another building (sheds and vans among them) touches this one, or is closer than 1.5 cells and
   /// what the survey blends: heights alone do not tell where it ends, so crops are cut by
   /// `footprint`. So are cut footprints and what is too small to be found.
