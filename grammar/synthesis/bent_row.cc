@@ -59,10 +59,11 @@ BuiltShape draw(Random* random) {
   for (int i = 0; i < stretches; ++i) {
     const double length = random->uniform(7.0, 22.0);
     if (i > 0) {
-      const double kind = random->uniform(0.0, 1.0);
+      // One bend at least is oblique: right angles and offsets alone would make an L, a U or a II.
+      const double kind = i == 1 ? 0.0 : random->uniform(0.0, 1.0);
       const double same = random->chance(0.75) ? side : -side;
       if (kind < 0.45) {
-        course.azimuth += same * random->uniform(12.0, 35.0) * kDegree;
+        course.azimuth += same * random->uniform(15.0, 40.0) * kDegree;
       } else if (kind < 0.75) {
         course.azimuth += same * random->uniform(80.0, 100.0) * kDegree;
       } else {
@@ -86,6 +87,43 @@ BuiltShape draw(Random* random) {
   return shape;
 }
 
+/// Four to seven houses in a row or a gentle curve, joined by narrower and lower links.
+BuiltShape draw_chain(Random* random) {
+  BuiltShape shape;
+  Course course;
+  const double width = random->uniform(6.0, 8.5);
+  const double slope = std::tan(random->uniform(28.0, 46.0) * kDegree);
+  const double eaves = random->uniform(3.0, 6.0);
+  const double bend = random->chance(0.6) ? 0.0 : random->uniform(-7.0, 7.0) * kDegree;
+  const bool along_row = random->chance(0.75);
+  const bool staggered = random->chance(0.4);
+  const bool flat_links = random->chance(0.5);
+  const int houses = random->integer(4, 7);
+  for (int i = 0; i < houses; ++i) {
+    const double length = random->uniform(6.5, 12.0), link = random->uniform(2.2, 5.0);
+    const double off = staggered ? random->uniform(-1.2, 1.2) : 0.0;
+    const Eigen::Vector2d center =
+        course.at + 0.5 * length * course.along() + off * course.across();
+    shape.parts.push_back(along_row
+                              ? gable_part(center, course.along(), length, width, eaves, slope)
+                              : gable_part(center, course.across(), width, length, eaves, slope));
+    course.at += length * course.along();
+    course.azimuth += bend;
+    if (i + 1 == houses) break;
+    // A link reaches into both houses, which cover it.
+    BuiltPart between =
+        gable_part(course.at + 0.5 * link * course.along(), course.along(), link + 2.0,
+                   width * random->uniform(0.5, 0.85), random->uniform(2.4, 3.2), slope);
+    if (flat_links) {
+      between.form = PartForm::kFlat;
+      between.rise = 0.0;
+    }
+    shape.parts.push_back(between);
+    course.at += link * course.along();
+  }
+  return shape;
+}
+
 double box_diagonal(const BuiltShape& shape, Eigen::Vector2d* middle) {
   Eigen::Vector2d low = shape.parts[0].center, high = low;
   for (const BuiltPart& part : shape.parts) {
@@ -105,7 +143,7 @@ BuiltShape random_bent_row(double largest, Random* random) {
   BuiltShape shape;
   Eigen::Vector2d middle;
   do {
-    shape = draw(random);
+    shape = largest > 45.0 && random->chance(0.35) ? draw_chain(random) : draw(random);
   } while (box_diagonal(shape, &middle) > largest);
   shape.move({-middle.x(), -middle.y(), 0.0});
   const double angle = random->uniform(0.0, 2.0 * M_PI);

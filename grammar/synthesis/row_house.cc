@@ -38,8 +38,7 @@ void add_component(const Rectangle& r, const Rule& roof, House* house) {
 }
 
 double row_width(double gsd, Random* random) {
-  const double width =
-      random->chance(0.7) ? random->uniform(4.0, 6.0) : random->uniform(5.5, 8.0);
+  const double width = random->chance(0.7) ? random->uniform(4.0, 6.0) : random->uniform(5.5, 8.0);
   return std::max(width, kLeastCells * gsd);
 }
 
@@ -133,8 +132,8 @@ void add_party_chimney(const Rectangle& main, Random* random, House* house) {
   double highest = 0.0;
   for (double dx : {-0.5, 0.0, 0.5}) {
     for (double dy : {-0.5, 0.0, 0.5}) {
-      highest = std::max(highest,
-                         field.at_house(center + side * Eigen::Vector2d(dx, dy), 0.0, 0.0));
+      highest =
+          std::max(highest, field.at_house(center + side * Eigen::Vector2d(dx, dy), 0.0, 0.0));
     }
   }
   namespace c = param::chimney;

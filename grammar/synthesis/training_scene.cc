@@ -93,9 +93,9 @@ struct Site {
   BuiltShape building;  ///< empty: a grove
   BuiltShape others;    ///< neighbours, sheds, cars
   Greenery greenery;
-  PlanRing around;         ///< the building's outline, or the box around a grove
-  bool in_row = false;     ///< has the neighbours of a row
-  bool leans = false;      ///< its roof is not the house's: the truth is the building's
+  PlanRing around;          ///< the building's outline, or the box around a grove
+  bool in_row = false;      ///< has the neighbours of a row
+  bool leans = false;       ///< its roof is not the house's: the truth is the building's
   bool by_outline = false;  ///< cannot be found in the heights
 };
 
@@ -121,8 +121,8 @@ bool keeps_details(const House& house, const PlanRing& ring) {
 
 double area_of(const PlanPolygon& polygon) { return std::abs(signed_area(polygon.outer)); }
 
-/// Cuts the front or the back of a house's footprint, or both, at least_angle to most_angle degrees,
-/// where what is lost lies within the shares and holds no dormer or chimney.
+/// Cuts the front or the back of a house's footprint, or both, at least_angle to most_angle
+/// degrees, where what is lost lies within the shares and holds no dormer or chimney.
 bool cut_footprint(double least_angle, double most_angle, double least_share, double most_share,
                    Random* random, TrainingScene* scene) {
   const double azimuth = scene->house.azimuth[0];
@@ -152,13 +152,17 @@ void place_row_house(Foundation foundation, double gsd, double oblique_share,
   site->by_outline = cut_footprint(10.0, 25.0, 0.0, kWholeShare, random, scene);
 }
 
-/// A slice of a row of which too much is cut off to be a rectangle.
+/// A slice of a row, or a shed, of which too much is cut off to be a rectangle.
 bool place_torn_house(double gsd, const Eigen::Vector3d& at, Random* random, TrainingScene* scene,
                       Site* site) {
+  // Those of real registers are mostly sheds and flat.
+  const bool shed = random->chance(0.45);
   const Foundation of = random->chance(0.6) ? Foundation::kI : Foundation::kII;
-  place_house(random_row_house(of, gsd, random), at, scene, site);
-  if (!cut_footprint(28.0, 55.0, kTornShare, 0.6, random, scene)) return false;
-  site->others.append(random_row_beside(scene->house, random));
+  House house = shed ? random_plain_house(PlainKind::kOuthouse, gsd, random)
+                     : random_row_house(of, gsd, random);
+  place_house(std::move(house), at, scene, site);
+  if (!cut_footprint(25.0, 55.0, kTornShare, 0.6, random, scene)) return false;
+  if (!shed) site->others.append(random_row_beside(scene->house, random));
   site->in_row = site->by_outline = true;
   return true;
 }
@@ -193,7 +197,9 @@ void place_any_house(Foundation foundation, double gsd, const TrainingSceneOptio
     return;
   }
   House house = random_training_house(foundation, random, options.prior);
-  const bool no_hips = free_blocks && random->chance(options.gable_share);
+  // Where walls are smeared, hips are labels that hardly show.
+  const double gable_share = std::min(1.0, (gsd < kCoarse ? 1.0 : 1.6) * options.gable_share);
+  const bool no_hips = free_blocks && random->chance(gable_share);
   drop_short_hips(no_hips ? std::numeric_limits<double>::infinity() : options.least_hip_cells * gsd,
                   &house);
   place_house(std::move(house), at, scene, site);
@@ -218,7 +224,7 @@ void place_building(Foundation foundation, double gsd, const TrainingSceneOption
   } else if (!random->chance(options.torn_share) ||
              !place_torn_house(gsd, at, random, scene, site)) {
     site->building = random->chance(options.bent_share)
-                         ? random_bent_row(std::clamp(75.0 * gsd, 30.0, 70.0), random)
+                         ? random_bent_row(std::clamp(100.0 * gsd, 30.0, 100.0), random)
                          : random_complex(random);
     site->building.move(at);
     scene->outline = outline_of(site->building);
@@ -340,7 +346,7 @@ TrainingScene make_training_scene(Foundation foundation, uint64_t seed,
     site.others.append(random_cars(site.around, ground, &for_cars));
     scene.outline_needed |= is_building && is_joined(site, ground, reach);
   }
-  if (for_garden.chance(options.garden_share)) {
+  if (for_garden.chance(std::min(1.0, (gsd < kCoarse ? 1.0 : 1.35) * options.garden_share))) {
     plant_garden(site.around, &for_garden, &site.greenery);
   }
   if (is_building && for_trees.chance(options.tree_share)) {
