@@ -11,6 +11,9 @@ namespace gable {
 std::string check(const RealSampleOptions& options) {
   if (!(options.most_mad > 0.0 && options.most_mad <= 10.0)) return "most_mad must be in (0, 10] m";
   if (!(options.least_gap >= 0.0)) return "least_gap must be >= 0";
+  if (!(options.least_probability >= 0.0 && options.least_probability <= 1.0)) {
+    return "least_probability must be in [0, 1]";
+  }
   if (!(options.least_iou >= 0.0 && options.least_iou <= 1.0)) return "least_iou must be in [0, 1]";
   if (!(options.beyond_area >= 0.0)) return "beyond_area must be >= 0";
   if (!(options.beyond_mad >= options.most_mad)) return "beyond_mad must be >= most_mad";
@@ -44,6 +47,15 @@ double outline_iou(const TileBuilding& building) {
   return any > 0 ? static_cast<double>(both) / any : 0.0;
 }
 
+namespace {
+
+/// Whether detectors, where they were asked, find a type probable.
+bool is_probable(const HouseChoice& choice, Foundation type, double least) {
+  return !choice.foundation || (*choice.foundation)[static_cast<size_t>(type)] >= least;
+}
+
+}  // namespace
+
 RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& options) {
   CHECK(check(options).empty()) << check(options);
   const double coarse = std::sqrt(std::max(1.0, building.image.gsd / 0.5));
@@ -52,14 +64,18 @@ RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& o
       std::count(building.image.inside.begin(), building.image.inside.end(), 1));
   if (building.building.status != BuildingStatus::kGrammar || mad > options.beyond_mad * coarse) {
     const double area = pixels * building.image.gsd * building.image.gsd;
-    return area >= options.beyond_area ? RealSampleVerdict::kBeyondGrammar
-                                       : RealSampleVerdict::kPoorFit;
+    return area >= options.beyond_area &&
+                   is_probable(building.choice, Foundation::kC, options.least_probability)
+               ? RealSampleVerdict::kBeyondGrammar
+               : RealSampleVerdict::kPoorFit;
   }
   if (mad > options.most_mad * coarse || outline_iou(building) < options.least_iou) {
     return RealSampleVerdict::kPoorFit;
   }
   const double gap = options.least_gap * std::sqrt(pixels / 100.0);
-  return lead_of(building.choice) < gap ? RealSampleVerdict::kCloseSecond
+  const Foundation type = building.building.house->foundation;
+  return lead_of(building.choice) < gap ||
+                 !is_probable(building.choice, type, options.least_probability) ? RealSampleVerdict::kCloseSecond
                                         : RealSampleVerdict::kHouse;
 }
 

@@ -12,10 +12,12 @@ namespace gable {
 struct RealSampleOptions {
   /// Largest mean absolute distance from the heights, metres, (0, 10], at cells of 0.5 m; grows
   /// with the square root of coarser ones.
-  double most_mad = 0.30;
+  double most_mad = 0.45;
   /// By how much the best hypothesis of any other foundation type must be dearer, in units of the
   /// penalised cost and for each square root of a hundred pixels, >= 0.
-  double least_gap = 15.0;
+  double least_gap = 5.0;
+  /// Where detectors were asked, how probable they must find the type, [0, 1].
+  double least_probability = 0.7;
   double least_iou = 0.65;  ///< of the house's outline and the building's pixels, [0, 1]
   /// What is further than this from the heights, whatever is tried, is beyond the grammar, metres,
   /// >= most_mad.

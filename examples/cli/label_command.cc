@@ -1,8 +1,10 @@
 #include "examples/cli/label_command.h"
 
+#include <gable/engine/dataset/annotated_images.h>
 #include <gable/engine/dataset/dataset_folder.h>
 #include <gable/engine/dataset/real_sample.h>
 #include <gable/engine/error.h>
+#include <gable/engine/io/annotations_file.h>
 
 #include <array>
 #include <filesystem>
@@ -26,12 +28,38 @@ struct LabelOptions {
   std::string folder;
   std::vector<double> extent;
   RealSampleOptions sample;
+  std::string annotations;
 };
 
 bool wanted(const LabelOptions& options, const Eigen::Vector3d& world) {
   const std::vector<double>& e = options.extent;
   return e.empty() ||
          (world.x() >= e[0] && world.y() >= e[1] && world.x() < e[2] && world.y() < e[3]);
+}
+
+// Buildings that share less with an annotation are not the annotated ones.
+constexpr double kLeastIou = 0.4;
+
+/// How many labels agree with annotations.
+struct Agreement {
+  size_t right = 0, all = 0;
+};
+
+void compare(const TrainingSample& sample, const HeightImage& image,
+             const std::vector<AnnotatedHouse>& houses, Agreement* agreement) {
+  double best = kLeastIou;
+  const AnnotatedHouse* same = nullptr;
+  for (const AnnotatedHouse& house : houses) {
+    if (house.confidence == Confidence::kLow) continue;
+    if ((house.center - image.origin.head<2>()).norm() > image.gsd * image.rows) continue;
+    const double iou = annotation_iou(image, house);
+    if (iou < best) continue;
+    best = iou;
+    same = &house;
+  }
+  if (same == nullptr) return;
+  ++agreement->all;
+  agreement->right += same->foundation == sample.foundation;
 }
 
 void run(const LabelOptions& options, const CommandContext& context) {
@@ -47,6 +75,9 @@ void run(const LabelOptions& options, const CommandContext& context) {
   std::unique_ptr<Progress> progress;
   std::array<size_t, 4> verdicts{};
   std::vector<TrainingSample> samples;
+  std::vector<AnnotatedHouse> annotated;
+  if (!options.annotations.empty()) annotated = read_annotations(options.annotations).houses;
+  Agreement agreement;
   TileCallbacks callbacks;
   callbacks.begin_window = [&](int, int, size_t num_buildings) {
     progress.reset();
@@ -57,7 +88,10 @@ void run(const LabelOptions& options, const CommandContext& context) {
     progress->advance();
     if (!wanted(options, made.image.origin)) return;
     ++verdicts[static_cast<size_t>(judge(made, options.sample))];
-    if (auto sample = real_sample(made, options.sample)) samples.push_back(std::move(*sample));
+    auto sample = real_sample(made, options.sample);
+    if (!sample) return;
+    compare(*sample, made.image, annotated, &agreement);
+    samples.push_back(std::move(*sample));
   };
   const TileSummary summary =
       reconstruct_tile(files.input(), tile_options, context.stop, callbacks);
@@ -69,6 +103,10 @@ void run(const LabelOptions& options, const CommandContext& context) {
   std::cout << options.folder << ": " << samples.size() << " crops: " << verdicts[0]
             << " houses, " << verdicts[1] << " beyond the grammar; left out: " << verdicts[2]
             << " with a poor fit, " << verdicts[3] << " with a close second\n";
+  if (!options.annotations.empty()) {
+    std::cout << options.annotations << ": " << agreement.right << " of " << agreement.all
+              << " labels have the annotated foundation type\n";
+  }
 }
 
 }  // namespace
@@ -84,6 +122,16 @@ void add_label_command(CLI::App* app, const CommandContext& context) {
                    "Only buildings with their centre in west south east north, world metres")
       ->type_name("W S E N")
       ->expected(4);
+  command
+      ->add_option("--annotations", options->annotations,
+                   "Say how many labels agree with these annotations (see gable annotate)")
+      ->type_name("FILE");
+  command
+      ->add_option("--least-probability", options->sample.least_probability,
+                   "How probable the detectors must find the type")
+      ->type_name("P")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   command->add_option("--most-mad", options->sample.most_mad,
                       "Largest mean distance from the heights, metres at cells of 0.5 m")
       ->type_name("METRES")
