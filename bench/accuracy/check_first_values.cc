@@ -2,7 +2,8 @@
 // the detectors alone, and both. Prints of each the foundation accuracy with its confusion matrix,
 // the mean distances from the heights and the time per building.
 //   gable_check_first_values ANNOTATIONS DETECTORS DSM [--dtm FILE] [--footprints FILE]
-//       [--weight W]... [--skip P] [--least-confidence C] [--verbose]
+//       [--weight W]... [--skip P] [--least-confidence C] [--finalists N]
+//       [--verbose]
 
 #include <gable/engine/error.h>
 #include <gable/engine/io/annotations_file.h>
@@ -30,6 +31,7 @@ struct Arguments {
   std::vector<double> weights;
   double skip = 0.0;
   double least_confidence = DetectedValuesOptions{}.least_confidence;
+  int finalists = HouseChoiceOptions{}.finalists;
   bool verbose = false;
 };
 
@@ -168,6 +170,7 @@ int run(const Arguments& arguments) {
   }
   BuildingOptions options;
   options.choice.skipped_probability = arguments.skip;
+  options.choice.finalists = arguments.finalists;
   compare("classical", subjects, options, false, arguments.verbose);
   std::vector<double> weights = arguments.weights;
   if (weights.empty()) weights = {options.choice.type_weight};
@@ -202,6 +205,8 @@ int main(int argc, char** argv) {
       arguments.skip = std::atof(value().c_str());
     } else if (key == "--least-confidence") {
       arguments.least_confidence = std::atof(value().c_str());
+    } else if (key == "--finalists") {
+      arguments.finalists = std::atoi(value().c_str());
     } else if (key == "--verbose") {
       arguments.verbose = true;
     } else {
