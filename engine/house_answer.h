@@ -38,19 +38,24 @@ struct HouseAnswer {
   bool reviewed = false;
 };
 
-/// The list, and the raster that it belongs to.
+/// The files that buildings were looked at in; paths below the folder of the data (GABLE_DATA).
+struct AnnotationSource {
+  std::string tile;        ///< the surface
+  std::string dtm;         ///< empty: the terrain was derived
+  std::string footprints;  ///< empty: buildings were found in the heights
+  std::string crs;         ///< "EPSG:27700"; empty where the raster's has no code
+  double gsd = 1.0;        ///< of the surface, metres
+};
+
+/// The list, and what it belongs to.
 struct HouseAnswers {
-  std::string tile;  ///< name of the raster, see AnnotatedTile
-  std::string crs;   ///< "EPSG:27700"; empty where the raster's has no code
-  double gsd = 1.0;  ///< of the raster, metres
+  AnnotationSource source;
   std::vector<HouseAnswer> houses;
 };
 
 /// The annotated buildings of a raster.
 struct AnnotatedTile {
-  std::string tile;  ///< path of the raster below the folder of the data (GABLE_DATA)
-  std::string crs;
-  double gsd = 1.0;  ///< metres
+  AnnotationSource source;
   std::vector<AnnotatedHouse> houses;
 };
 

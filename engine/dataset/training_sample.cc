@@ -72,11 +72,11 @@ double found_share(const TrainingScene& scene, const FoundHouses& found, int ind
 
 std::optional<HeightImage> image_of_scene(const TrainingScene& scene, Random* random) {
   const bool by_outline = random->chance(kOutlineShare) || scene.outline_needed;
-  if (by_outline && !scene.outline.outer.empty()) {
+  if (by_outline && !scene.footprint.outer.empty()) {
     Raster<unsigned char> outlined(scene.dsm.grid, 0);
-    for_cells_in_polygon(scene.outline, Eigen::Vector2d::Zero(), scene.dsm.grid,
+    for_cells_in_polygon(scene.footprint, Eigen::Vector2d::Zero(), scene.dsm.grid,
                          [&](int row, int col) { outlined.at(row, col) = 1; });
-    return crop_footprint(scene.dsm, scene.dtm, outlined, scene.outline, {});
+    return crop_footprint(scene.dsm, scene.dtm, outlined, scene.footprint, {});
   }
   const FoundHouses found = find_houses(scene.dsm, scene.dtm, {});
   const int index = building_of_scene(scene, found);

@@ -19,8 +19,9 @@ struct FoundationOptions {
   double least_probability = 0.01;
   /// How much a difference in score weighs beside one in log-probability, [0, 100].
   double score_weight = 5.0;
-  /// Corners, of which no map has many.
-  PeakOptions peaks = {.threshold = 0.5, .radius = 2, .at_most = 6};
+  /// Corners, of which no map has many. Below the paper's threshold of 0.5, since a doubtful corner
+  /// is better than a missing one, and candidates are weighed by the values of theirs.
+  PeakOptions peaks = {.threshold = 0.1, .radius = 2, .at_most = 6};
   RectangleSetOptions sets;
   GarageOptions garages;
 };

@@ -30,9 +30,9 @@ Eigen::Vector2d turned(const Eigen::Vector2d& p, double angle) {
 }
 
 // Points and rectangles of a crop in the frame of the crop's azimuth or in a house's own.
-class CropFrame {
+class CropToHouse {
  public:
-  CropFrame(const HouseCrop& crop, double azimuth) : crop_(crop), turn_(crop.azimuth - azimuth) {}
+  CropToHouse(const HouseCrop& crop, double azimuth) : crop_(crop), turn_(crop.azimuth - azimuth) {}
 
   Eigen::Vector2d point(const Eigen::Vector2d& crop) const {
     return turned(crop_.house_from_crop(crop), turn_);
@@ -77,7 +77,7 @@ Rule make_roof(RoofType type, Axis ridge, const std::optional<ComponentHeights>&
 
 House bare_house(const HouseCrop& crop, const CropFoundation& foundation,
                  const std::vector<RoofType>& roofs, const HeightImage& image) {
-  const CropFrame frame(crop, crop.azimuth);
+  const CropToHouse frame(crop, crop.azimuth);
   const bool is_polygon =
       foundation.foundation == Foundation::kL || foundation.foundation == Foundation::kU;
   // An L's first rectangle runs along x, a U's along its closed side; the others across.
@@ -136,7 +136,7 @@ RoofBelow roof_below(const std::vector<Block<double>>& components, const Eigen::
   return best;
 }
 
-void add_dormers(const std::vector<Peak>& peaks, const CropFrame& frame,
+void add_dormers(const std::vector<Peak>& peaks, const CropToHouse& frame,
                  const std::vector<Block<double>>& components, const HeightImage& image,
                  House* house) {
   for (const Peak& peak : peaks) {
@@ -157,7 +157,7 @@ void add_dormers(const std::vector<Peak>& peaks, const CropFrame& frame,
   }
 }
 
-void add_chimneys(const std::vector<Peak>& peaks, const CropFrame& frame,
+void add_chimneys(const std::vector<Peak>& peaks, const CropToHouse& frame,
                   const std::vector<Block<double>>& components, House* house) {
   for (const Peak& peak : peaks) {
     const Eigen::Vector2d center = frame.point(peak.crop);
@@ -187,7 +187,7 @@ Rule rectangle_garage(const RoofedRectangle& r, double azimuth, const HeightImag
   return garage;
 }
 
-void add_garage(const CropGarage& crop_garage, const CropFrame& frame, const HeightImage& image,
+void add_garage(const CropGarage& crop_garage, const CropToHouse& frame, const HeightImage& image,
                 House* house) {
   const double azimuth = house->azimuth[0];
   RoofedRectangle x = frame.rectangle(crop_garage.rectangles[0]);
@@ -252,7 +252,7 @@ House house_from_crop(const HouseCrop& crop, const CropFoundation& foundation,
   CHECK_EQ(static_cast<int>(foundation.rectangles.size()), num_components(foundation.foundation));
   CHECK_EQ(details.roofs.size(), is_polygon ? 1 : foundation.rectangles.size());
   House house = bare_house(crop, foundation, details.roofs, image);
-  const CropFrame frame(crop, house.azimuth[0]);
+  const CropToHouse frame(crop, house.azimuth[0]);
   const std::vector<Block<double>> components = expand_blocks(house);
   add_dormers(details.dormers, frame, components, image, &house);
   add_chimneys(details.chimneys, frame, components, &house);

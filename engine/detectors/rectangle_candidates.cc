@@ -67,20 +67,26 @@ std::optional<CropRectangle> rectangle_of(const Edges& edges, const CropBits& ma
   return r;
 }
 
-// Tries all choices of one or no peak for each corner from `corner` on.
+// Tries all choices of one or no peak for each corner from `corner` on; `chosen` holds those
+// before.
 void add_choices(const CornerPeaks& peaks, const CropBits& mask, double agreement, int corner,
-                 const Edges& edges, double sum, std::vector<RectangleCandidate>* out) {
+                 const Edges& edges, const RectangleCandidate& chosen,
+                 std::vector<RectangleCandidate>* out) {
   if (corner == 4) {
     if (const std::optional<CropRectangle> r = rectangle_of(edges, mask)) {
-      out->push_back({*r, sum / 4.0});
+      out->push_back(chosen);
+      out->back().rectangle = *r;
     }
     return;
   }
-  add_choices(peaks, mask, agreement, corner + 1, edges, sum, out);
-  for (const Peak& peak : peaks[corner]) {
+  add_choices(peaks, mask, agreement, corner + 1, edges, chosen, out);
+  for (size_t i = 0; i < peaks[corner].size(); ++i) {
     Edges with = edges;
-    if (!with.add(corner, peak.crop, agreement)) continue;
-    add_choices(peaks, mask, agreement, corner + 1, with, sum + peak.value, out);
+    if (!with.add(corner, peaks[corner][i].crop, agreement)) continue;
+    RectangleCandidate more = chosen;
+    more.peaks[corner] = static_cast<int>(i);
+    more.values[corner] = peaks[corner][i].value;
+    add_choices(peaks, mask, agreement, corner + 1, with, more, out);
   }
 }
 
@@ -89,7 +95,7 @@ std::vector<RectangleCandidate> without_likes(std::vector<RectangleCandidate> ca
                                               double distinct) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const RectangleCandidate& a, const RectangleCandidate& b) {
-                     return a.corners > b.corners;
+                     return a.corners() > b.corners();
                    });
   std::vector<RectangleCandidate> kept;
   for (const RectangleCandidate& candidate : candidates) {
@@ -108,7 +114,8 @@ double single_score(const RectangleCandidate& candidate, const CropBits& bits, c
                     double corner_weight) {
   const int size = bits.count();
   if (size == 0) return 0.0;
-  return static_cast<double>(common_pixels(bits, mask)) / size + corner_weight * candidate.corners;
+  return static_cast<double>(common_pixels(bits, mask)) / size +
+         corner_weight * candidate.corners();
 }
 
 double distance(const CropRectangle& a, const CropRectangle& b) {
@@ -135,7 +142,7 @@ class SetSearch {
       bits[i] = bits_of(candidates[i].rectangle);
       // One rectangle is judged as it will be; parts only promise something.
       const double score =
-          count == 1 ? intersection_over_union(bits[i], mask) + weight * candidates[i].corners
+          count == 1 ? intersection_over_union(bits[i], mask) + weight * candidates[i].corners()
                      : single_score(candidates[i], bits[i], mask, weight);
       order.push_back({-score, i});
     }
@@ -180,7 +187,7 @@ class SetSearch {
     RectangleSet set;
     std::copy(chosen_.begin(), chosen_.end(), set.members.begin());
     set.iou = intersection_over_union(covered, mask_);
-    for (const int i : chosen_) set.corners += singles_[i].corners / count_;
+    set.corners = distinct_corners();
     set.score = set.iou + options_.candidates.corner_weight * set.corners;
     sets_.push_back(set);
   }
@@ -194,6 +201,21 @@ class SetSearch {
       }
     }
     return near >= count_ - 1;
+  }
+
+  // Mean value of the chosen rectangles' corners, each peak counted once.
+  double distinct_corners() const {
+    double sum = 0.0;
+    for (size_t i = 0; i < chosen_.size(); ++i) {
+      const RectangleCandidate& mine = singles_[chosen_[i]];
+      for (int type = 0; type < 4; ++type) {
+        const bool counted = std::any_of(chosen_.begin(), chosen_.begin() + i, [&](int other) {
+          return singles_[other].peaks[type] == mine.peaks[type];
+        });
+        if (mine.peaks[type] >= 0 && !counted) sum += mine.values[type];
+      }
+    }
+    return sum / (4.0 * count_);
   }
 
   bool each_adds(const CropBits& covered) const {
@@ -237,9 +259,9 @@ std::vector<RectangleCandidate> rectangle_candidates(const CornerPeaks& peaks, c
                                                      const CandidateOptions& options) {
   CHECK(check(options).empty()) << check(options);
   std::vector<RectangleCandidate> out;
-  add_choices(peaks, mask, options.agreement, 0, Edges(), 0.0, &out);
+  add_choices(peaks, mask, options.agreement, 0, Edges(), {}, &out);
   const CropRectangle whole = bounds_of(mask);
-  if (is_large_enough(whole)) out.push_back({whole, 0.0});
+  if (is_large_enough(whole)) out.push_back({whole});
   return without_likes(std::move(out), options.distinct);
 }
 

@@ -16,7 +16,12 @@ using CornerPeaks = std::array<std::vector<Peak>, 4>;
 /// A rectangle that corners span.
 struct RectangleCandidate {
   CropRectangle rectangle;
-  double corners = 0.0;  ///< mean value of its four corners' peaks, undetected ones count 0
+  /// By crop_map::RectangleCorner: which of the type's peaks it is, or -1, and its value, or 0.
+  std::array<int, 4> peaks = {-1, -1, -1, -1};
+  std::array<double, 4> values{};
+
+  /// Mean value of the corners' peaks, undetected ones count 0.
+  double corners() const { return 0.25 * (values[0] + values[1] + values[2] + values[3]); }
 };
 
 /// Rectangles spanned by corners of different types, each edge at the mean of its corners, which
@@ -41,8 +46,8 @@ struct RectangleSetOptions {
 std::string check(const RectangleSetOptions& options);
 
 /// The best sets of `count` (1-3) rectangles by IoU of their union with the mask and their corners,
-/// best first: an I, II or III. Of a II or III the largest rectangle comes first. For a II or III
-/// there may be none.
+/// of which a peak counts for one rectangle only, best first: an I, II or III. Of a II or III the
+/// largest rectangle comes first. For a II or III there may be none.
 std::vector<CropFoundation> rectangle_sets(std::span<const RectangleCandidate> candidates,
                                            int count, const CropBits& mask,
                                            const RectangleSetOptions& options = {});

@@ -92,6 +92,26 @@ std::vector<RoofType> roofs(const Json& json, const std::string& key) {
   return roofs;
 }
 
+AnnotationSource source(const Json& json) {
+  AnnotationSource source;
+  source.tile = text(json, "tile");
+  if (json.contains("dtm")) source.dtm = text(json, "dtm");
+  if (json.contains("footprints")) source.footprints = text(json, "footprints");
+  source.crs = text(json, "crs");
+  source.gsd = number(json, "gsd");
+  require(source.gsd > 0.0, "\"gsd\" is not positive");
+  return source;
+}
+
+std::string source_text(const AnnotationSource& source) {
+  std::string out = "\"tile\":" + quoted(source.tile);
+  if (!source.dtm.empty()) out += ",\"dtm\":" + quoted(source.dtm);
+  if (!source.footprints.empty()) out += ",\"footprints\":" + quoted(source.footprints);
+  out += ",\"crs\":" + quoted(source.crs) + ",\"gsd\":";
+  append_number(source.gsd, &out);
+  return out;
+}
+
 Json read(const std::string& path, const std::string& format) {
   require_readable(path);
   std::ifstream stream(path, std::ios::binary);

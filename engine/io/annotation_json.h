@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/engine/annotated_house.h>
+#include <gable/engine/house_answer.h>
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,11 @@ std::vector<Eigen::Vector2d> points(const Json& json, const std::string& key);
 std::vector<std::vector<Eigen::Vector2d>> rings(const Json& json, const std::string& key);
 Foundation foundation(const Json& json, const std::string& key);
 std::vector<RoofType> roofs(const Json& json, const std::string& key);
+
+/// "tile", "dtm", "footprints", "crs" and "gsd"; "dtm" and "footprints" may be missing.
+AnnotationSource source(const Json& json);
+/// The same members as text, without braces.
+std::string source_text(const AnnotationSource& source);
 
 /// The file's contents, of format `format`, version 1. Throws Error (kNoInput), or what
 /// `in_file` turns into one.

@@ -81,10 +81,7 @@ AnnotatedHouse house_from_json(const Json& json) {
 
 void write_annotations(const std::string& path, const AnnotatedTile& tile) {
   std::string text = "{\"format\":\"" + std::string(kFormat) +
-                     "\",\"version\":1,\"tile\":" + quoted(tile.tile) +
-                     ",\"crs\":" + quoted(tile.crs) + ",\"gsd\":";
-  append_number(tile.gsd, &text);
-  text += ",\n\"houses\":[";
+                     "\",\"version\":1," + source_text(tile.source) + ",\n\"houses\":[";
   for (size_t i = 0; i < tile.houses.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + house_line(tile.houses[i]);
   }
@@ -96,10 +93,7 @@ AnnotatedTile read_annotations(const std::string& path) {
   std::string who;
   try {
     const Json json = annotation_json::read(path, kFormat);
-    tile.tile = text(json, "tile");
-    tile.crs = text(json, "crs");
-    tile.gsd = number(json, "gsd");
-    require(tile.gsd > 0.0, "\"gsd\" is not positive");
+    tile.source = source(json);
     const Json& houses = member(json, "houses");
     require(houses.is_array(), "\"houses\" is no list");
     std::set<std::string> ids;

@@ -83,10 +83,7 @@ HouseAnswer house_from_json(const Json& json) {
 
 void write_answers(const std::string& path, const HouseAnswers& answers) {
   std::string text = "{\"format\":\"" + std::string(kFormat) +
-                     "\",\"version\":1,\"tile\":" + quoted(answers.tile) +
-                     ",\"crs\":" + quoted(answers.crs) + ",\"gsd\":";
-  append_number(answers.gsd, &text);
-  text += ",\n\"houses\":[";
+                     "\",\"version\":1," + source_text(answers.source) + ",\n\"houses\":[";
   for (size_t i = 0; i < answers.houses.size(); ++i) {
     text += (i == 0 ? "\n" : ",\n") + house_text(answers.houses[i]);
   }
@@ -98,10 +95,7 @@ HouseAnswers read_answers(const std::string& path) {
   std::string who;
   try {
     const Json json = annotation_json::read(path, kFormat);
-    answers.tile = text(json, "tile");
-    answers.crs = text(json, "crs");
-    answers.gsd = number(json, "gsd");
-    require(answers.gsd > 0.0, "\"gsd\" is not positive");
+    answers.source = source(json);
     const Json& houses = member(json, "houses");
     require(houses.is_array(), "\"houses\" is no list");
     std::set<std::string> ids;

@@ -5,7 +5,6 @@
 #include <gable/engine/io/annotations_file.h>
 #include <gable/engine/io/answers_file.h>
 #include <gable/engine/io/atomic_file.h>
-#include <gable/engine/io/footprint_file.h>
 #include <gable/engine/io/raster_file.h>
 #include <gable/engine/io/staged_folder.h>
 #include <gable/engine/reconstruct/annotate/annotated_from_answer.h>
@@ -28,6 +27,7 @@
 
 #include "examples/cli/detector_options.h"
 #include "examples/cli/progress.h"
+#include "examples/cli/tile_files.h"
 
 namespace gable {
 namespace {
@@ -36,7 +36,8 @@ namespace fs = std::filesystem;
 
 struct AnnotateOptions {
   CommonOptions common;
-  std::string dsm, dtm, footprints, crs, output, apply, show;
+  TileFileOptions tile;
+  std::string output, apply, show;
   std::vector<double> extent;
   AnnotationSheetOptions sheets;
   DetectorOptions detectors;
@@ -50,16 +51,17 @@ std::string epsg_text(const Crs& crs) {
   return crs.epsg > 0 ? "EPSG:" + std::to_string(crs.epsg) : "";
 }
 
-/// The raster's path below GABLE_DATA; where it does not lie there, its name.
-std::string tile_name(const std::string& dsm) {
+/// A file's path below GABLE_DATA; where it does not lie there, its name; empty where there is none.
+std::string name_in_data(const std::string& file) {
+  if (file.empty()) return "";
   const char* data = std::getenv("GABLE_DATA");
   std::error_code none;
   if (data != nullptr) {
-    const fs::path below = fs::weakly_canonical(dsm, none).lexically_relative(
+    const fs::path below = fs::weakly_canonical(file, none).lexically_relative(
         fs::weakly_canonical(fs::path(data), none));
     if (!below.empty() && *below.begin() != "..") return below.generic_string();
   }
-  return fs::path(dsm).filename().string();
+  return fs::path(file).filename().string();
 }
 
 bool wanted(const AnnotateOptions& options, const Eigen::Vector2d& world) {
@@ -95,9 +97,9 @@ std::map<std::string, HouseAnswer> reviewed_before(const std::string& path,
   std::error_code none;
   if (!fs::exists(path, none)) return reviewed;
   HouseAnswers before = read_answers(path);
-  if (before.tile != anew.tile) {
-    throw Error(ExitCode::kBadInput, path + ": holds answers for " + before.tile + ", not " +
-                                         anew.tile + "; give another folder");
+  if (before.source.tile != anew.source.tile) {
+    throw Error(ExitCode::kBadInput, path + ": holds answers for " + before.source.tile + ", not " +
+                                         anew.source.tile + "; give another folder");
   }
   for (HouseAnswer& house : before.houses) {
     if (house.reviewed) reviewed.emplace(house.id, std::move(house));
@@ -112,21 +114,12 @@ AnnotationSheets sheets_into(StagedFolder* folder, const AnnotateOptions& option
 }
 
 void propose(const AnnotateOptions& options, const CommandContext& context) {
-  const RasterFile dsm(options.dsm, {options.crs});
-  std::optional<RasterFile> dtm;
-  if (!options.dtm.empty()) {
-    dtm.emplace(options.dtm, RasterFileOptions{options.crs});
-    require_matching(dsm, *dtm);
-  } else {
-    say(options, options.dsm + ": no --dtm, so the terrain is derived from the surface");
-  }
-  TileInput input{&dsm, dtm ? &*dtm : nullptr, nullptr, nullptr};
-  FootprintFile footprints;
-  if (!options.footprints.empty()) {
-    footprints = read_footprints(options.footprints, dsm.crs(), dsm.grid());
-    input.footprints = &footprints.footprints;
-  }
-  HouseAnswers answers{tile_name(options.dsm), epsg_text(dsm.crs()), dsm.grid().gsd, {}};
+  const TileFiles files(options.tile, [&](const std::string& line) { say(options, line); });
+  const RasterFile& dsm = files.dsm();
+  HouseAnswers answers{{name_in_data(options.tile.dsm), name_in_data(options.tile.dtm),
+                        name_in_data(options.tile.footprints), epsg_text(dsm.crs()),
+                        dsm.grid().gsd},
+                       {}};
   const std::string list = (fs::path(options.output) / "answers.json").string();
   const std::map<std::string, HouseAnswer> before = reviewed_before(list, answers);
   StagedFolder staged(options.output);
@@ -153,12 +146,13 @@ void propose(const AnnotateOptions& options, const CommandContext& context) {
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
   tile_options.detectors = options.detectors.folder();
-  const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
+  const TileSummary summary =
+      reconstruct_tile(files.input(), tile_options, context.stop, callbacks);
   progress.reset();
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
   if (answers.houses.empty()) {
     throw Error(ExitCode::kBadInput,
-                options.dsm + ": no building there; check --dtm, --footprints and --extent");
+                options.tile.dsm + ": no building there; check --dtm, --footprints and --extent");
   }
   sheets.finish();
   write_answers(staged.path("answers.json"), answers);
@@ -169,7 +163,7 @@ void propose(const AnnotateOptions& options, const CommandContext& context) {
 
 void apply(const AnnotateOptions& options) {
   const HouseAnswers answers = read_answers(options.apply);
-  AnnotatedTile tile{answers.tile, answers.crs, answers.gsd, {}};
+  AnnotatedTile tile{answers.source, {}};
   for (const HouseAnswer& answer : answers.houses) {
     if (answer.reviewed) tile.houses.push_back(annotated_from_answer(answer, options.apply));
   }
@@ -185,9 +179,10 @@ void apply(const AnnotateOptions& options) {
 
 void show(const AnnotateOptions& options) {
   const AnnotatedTile tile = read_annotations(options.show);
-  const RasterFile dsm(options.dsm, {options.crs});
-  if (!tile.crs.empty() && dsm.crs().epsg != 0 && tile.crs != epsg_text(dsm.crs())) {
-    throw Error(ExitCode::kBadInput, options.show + ": is in " + tile.crs + ", but " + options.dsm +
+  const RasterFile dsm(options.tile.dsm, {options.tile.crs});
+  const std::string& crs = tile.source.crs;
+  if (!crs.empty() && dsm.crs().epsg != 0 && crs != epsg_text(dsm.crs())) {
+    throw Error(ExitCode::kBadInput, options.show + ": is in " + crs + ", but " + options.tile.dsm +
                                          " in " + epsg_text(dsm.crs()) + "; give its own raster");
   }
   StagedFolder staged(options.output);
@@ -199,7 +194,7 @@ void show(const AnnotateOptions& options) {
     const HeightRaster heights = heights_around(dsm, answer.frame);
     if (heights.values.empty()) {
       throw Error(ExitCode::kBadInput, options.show + ": " + house.id + " lies outside " +
-                                           options.dsm + "; give the raster " + tile.tile);
+                                           options.tile.dsm + "; give the raster " + tile.source.tile);
     }
     sheets.add(draw_annotation_panel({&answer, &heights, low_height(heights, answer.frame), nullptr,
                                       title_of(++shown, answer)}));
@@ -214,7 +209,7 @@ void show(const AnnotateOptions& options) {
 
 void run(const AnnotateOptions& options, const CommandContext& context) {
   if (!options.apply.empty()) return apply(options);
-  if (options.dsm.empty()) throw Error(ExitCode::kUsage, "annotate wants DSM (see gable --help)");
+  if (options.tile.dsm.empty()) throw Error(ExitCode::kUsage, "annotate wants DSM (see gable --help)");
   options.show.empty() ? propose(options, context) : show(options);
 }
 
@@ -224,13 +219,8 @@ void add_annotate_command(CLI::App* app, const CommandContext& context) {
   auto options = std::make_shared<AnnotateOptions>();
   CLI::App* command = app->add_subcommand(
       "annotate", "Draw sheets of real buildings, and propose what they are, to be corrected");
-  auto* dsm = command->add_option("dsm", options->dsm, "Surface heights")->type_name("DSM");
-  command->add_option("--dtm", options->dtm, "Terrain heights; without it derived")
-      ->type_name("FILE");
-  command->add_option("--footprints", options->footprints, "Outlines: every polygon is a building")
-      ->type_name("FILE");
-  command->add_option("--crs", options->crs, "Reference system of rasters that carry none")
-      ->type_name("CRS");
+  add_tile_file_options(command, &options->tile);
+  CLI::Option* dsm = command->get_option("dsm")->required(false);
   command
       ->add_option("-o,--output", options->output,
                    "Folder for the sheets and answers.json; with --apply the annotations (JSON)")

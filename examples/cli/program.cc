@@ -11,6 +11,7 @@
 #include "examples/cli/annotate_command.h"
 #include "examples/cli/common_options.h"
 #include "examples/cli/evaluate_command.h"
+#include "examples/cli/evaluate_detectors_command.h"
 #include "examples/cli/interrupt.h"
 #include "examples/cli/label_command.h"
 #include "examples/cli/reconstruct_command.h"
@@ -57,6 +58,7 @@ int run_program(int argc, char** argv) {
   add_reconstruct_command(&app, context);
   add_refine_command(&app, context);
   add_evaluate_command(&app, context);
+  add_evaluate_detectors_command(&app, context);
   add_annotate_command(&app, context);
   add_shapes_command(&app, context);
   add_label_command(&app, context);

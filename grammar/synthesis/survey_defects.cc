@@ -25,10 +25,12 @@ void drop_blobs(Random* random, HeightRaster* surface) {
     const double col = random->uniform(0.1, 0.9) * grid.cols;
     const double radius = random->uniform(0.3, 1.6) / grid.gsd;  // cells
     const int reach = static_cast<int>(std::ceil(radius));
+    const bool square = random->chance(0.35);  // coarse cells of an earlier raster
     for (int dr = -reach; dr <= reach; ++dr) {
       for (int dc = -reach; dc <= reach; ++dc) {
         const int r = static_cast<int>(row) + dr, c = static_cast<int>(col) + dc;
-        if (!grid.contains(r, c) || std::hypot(dr, dc) > radius * random->uniform(0.7, 1.1)) {
+        const double off = square ? std::max(std::abs(dr), std::abs(dc)) : std::hypot(dr, dc);
+        if (!grid.contains(r, c) || off > radius * (square ? 1.0 : random->uniform(0.7, 1.1))) {
           continue;
         }
         surface->at(r, c) = kMissing;
@@ -96,7 +98,7 @@ void random_holes(Random* random, HeightRaster* surface) {
   const double kind = random->uniform(0.0, 1.0);
   if (kind < 0.6) drop_single_cells(random, surface);
   if (kind > 0.4) drop_shadows(random, surface);
-  if (random->chance(0.35)) drop_blobs(random, surface);
+  if (random->chance(0.45)) drop_blobs(random, surface);
 }
 
 }  // namespace gable

@@ -1,4 +1,5 @@
 #include <gable/grammar/block.h>
+#include <gable/grammar/synthesis/box_dormers.h>
 #include <gable/grammar/synthesis/distinct.h>
 #include <gable/grammar/synthesis/random_details.h>
 #include <gable/grammar/synthesis/random_garage.h>
@@ -159,8 +160,12 @@ House random_training_house(Foundation foundation, Random* random, const PriorOp
   } while (!is_distinct(house) || diagonal(house) > options.max_diagonal);
   Random for_dormers = random->fork(), for_chimneys = random->fork(), for_garages = random->fork();
   if (for_dormers.chance(options.dormer_share)) {
-    add_dormers(&for_dormers, &house);
-    if (for_dormers.chance(0.4)) flatten_dormers(&house);
+    if (for_dormers.chance(0.4)) {
+      add_box_dormers(&for_dormers, &house);
+    } else {
+      add_dormers(&for_dormers, &house);
+      if (for_dormers.chance(0.4)) flatten_dormers(&house);
+    }
   }
   if (for_chimneys.chance(options.chimney_share)) add_chimneys(&for_chimneys, &house);
   if (for_garages.chance(options.garage_share)) {

@@ -44,8 +44,8 @@ TEST_F(AnnotateCommand, ProposesCorrectsAndShowsTheVillage) {
   ASSERT_EQ(propose({"--footprints", village_.footprints()}).exit_code, 0);
   EXPECT_TRUE(exists(folder() + "/sheet_001.png"));
   HouseAnswers answers = read_answers(list());
-  EXPECT_EQ(answers.crs, "EPSG:27700");
-  EXPECT_EQ(answers.tile, "dsm.tif");
+  EXPECT_EQ(answers.source.crs, "EPSG:27700");
+  EXPECT_EQ(answers.source.tile, "dsm.tif");
   ASSERT_EQ(answers.houses.size(), 4u);
   for (HouseAnswer& house : answers.houses) {
     EXPECT_FALSE(house.reviewed);
@@ -122,10 +122,10 @@ TEST_F(AnnotateCommand, BadInputIsOneLine) {
   expect_refused(run_gable({"annotate", "--apply", list(), "-o", village_.path("v.json")}),
                  ExitCode::kBadInput, answers.houses[2].id);
   EXPECT_FALSE(exists(village_.path("v.json")));
-  answers.tile = "other.tif";
+  answers.source.tile = "other.tif";
   write_answers(list(), answers);
   expect_refused(propose(), ExitCode::kBadInput, "other.tif");
-  EXPECT_EQ(read_answers(list()).tile, "other.tif");
+  EXPECT_EQ(read_answers(list()).source.tile, "other.tif");
 
   const std::string broken = village_.write("broken.json", "{\"format\":");
   expect_refused(run_gable({"annotate", "--show", broken, village_.dsm(), "-o", folder()}),

@@ -62,11 +62,9 @@ PARTS = {"house": house_scores, "roof": roof_scores, "azimuth": azimuth_scores}
 
 def training_lines(log: dict) -> list[str]:
     options = log["options"]
-    length = (f"{options['minutes']:g} minutes" if options["minutes"]
-              else f"{options['epochs']:g} epochs")
     last = log["steps"][-1] if log["steps"] else {"step": 0, "minutes": 0}
     crops = last["step"] * options["batch"]
-    lines = [f"- Trained {length} on {options['threads']} thread(s): {last['step']} steps of "
+    lines = [f"- Trained {last['minutes']:.0f} minutes on {options['threads']} thread(s): {last['step']} steps of "
              f"{options['batch']} crops, {crops / max(1e-9, 60 * last['minutes']):.0f} crops a "
              f"second; seed {options['seed']}, highest rate {options['rate']:g}"]
     if options.get("start_from"):
@@ -91,7 +89,7 @@ def main() -> None:
         "# The detectors", "",
         "What they see and say: [docs/detectors.md](../../docs/detectors.md). Made by "
         "`training/train_detectors.sh`, which does all of it again.", "",
-        f"Synthesised crops: {about.get('crops', '?')}, seed {about.get('seed', '?')}; the last "
+        f"Synthesised crops: {about['crops']} ({about['source']}); the last "
         "tenth is not trained on, and the scores are of crops from there. The maps' thresholds are "
         "set on one half of these, the scores of `house.onnx` are of the other.", "",
     ]  # fmt: skip

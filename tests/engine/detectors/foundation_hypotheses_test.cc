@@ -11,9 +11,7 @@ namespace {
 constexpr Foundation kTypes[] = {Foundation::kI, Foundation::kII, Foundation::kIII, Foundation::kL,
                                  Foundation::kU};
 
-double worth(const CropFoundation& f) {
-  return f.log_probability + 5.0 * (f.iou + 0.2 * f.corners);
-}
+double worth(const CropFoundation& f) { return f.log_probability + 5.0 * (f.iou + f.corners); }
 
 // Fills the garage map with the blocks of garages.
 void draw_garages(const DrawnHouse& drawn, CropAnswer* answer) {

@@ -1,6 +1,9 @@
 #include <gable/engine/detectors/rectangle_candidates.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <utility>
+
 #include "engine/detectors/drawn_maps.h"
 
 namespace gable {
@@ -93,10 +96,8 @@ TEST(RectangleCandidates, WithoutCornersAnIIsTheMasksBounds) {
 TEST(RectangleCandidates, EveryRectangleOfASetStandsForItselfAndHangsTogetherWithAnother) {
   CropBits mask;
   for (int row = 10; row < 30; ++row) mask.set_row(row, 5, 60);
-  std::vector<RectangleCandidate> candidates = {{{5, 30, 10, 30}, 1.0},
-                                                {{32, 60, 10, 30}, 1.0},
-                                                {{5, 29, 10, 30}, 1.0},
-                                                {{40, 60, 10, 30}, 1.0}};
+  const std::vector<RectangleCandidate> candidates = {
+      {{5, 30, 10, 30}}, {{32, 60, 10, 30}}, {{5, 29, 10, 30}}, {{40, 60, 10, 30}}};
   const auto near = rectangle_sets(candidates, 2, mask);
   ASSERT_EQ(near.size(), 1u);  // over a gap of 2; all others are nested or too far apart
   EXPECT_EQ(near[0].rectangles[0].x0, 32.0);
@@ -110,8 +111,13 @@ TEST(RectangleCandidates, TheBestPairIsThatOfAPlainSearch) {
     std::vector<RectangleCandidate> candidates;
     for (int i = 0; i < 12; ++i) {
       const double x = random.uniform(0.0, 40.0), y = random.uniform(0.0, 40.0);
-      candidates.push_back({{x, x + random.uniform(6.0, 24.0), y, y + random.uniform(6.0, 24.0)},
-                            random.uniform(0.0, 1.0)});
+      RectangleCandidate candidate;
+      candidate.rectangle = {x, x + random.uniform(6.0, 24.0), y, y + random.uniform(6.0, 24.0)};
+      for (int type = 0; type < 4; ++type) {
+        candidate.peaks[type] = random.integer(-1, 4);
+        if (candidate.peaks[type] >= 0) candidate.values[type] = 0.2 * candidate.peaks[type] + 0.1;
+      }
+      candidates.push_back(candidate);
     }
     CropBits mask;
     for (int row = 12; row < 50; ++row) mask.set_row(row, 8, row < 30 ? 52 : 30);
@@ -134,8 +140,14 @@ TEST(RectangleCandidates, TheBestPairIsThatOfAPlainSearch) {
             either += covered || mask.at(row, col);
           }
         }
-        expected = std::max(expected, static_cast<double>(both) / either +
-                                          0.1 * (candidates[a].corners + candidates[b].corners));
+        std::set<std::pair<int, int>> peaks;  // of either, by type and number
+        for (int type = 0; type < 4; ++type) {
+          peaks.insert({type, candidates[a].peaks[type]});
+          peaks.insert({type, candidates[b].peaks[type]});
+        }
+        double corners = 0.0;
+        for (const auto& [type, peak] : peaks) corners += peak >= 0 ? 0.2 * peak + 0.1 : 0.0;
+        expected = std::max(expected, static_cast<double>(both) / either + corners / 8.0);
       }
     }
     ASSERT_EQ(best.size(), 1u);

@@ -32,7 +32,7 @@ AnnotatedTile sample() {
   tree.foundation = Foundation::kC;
   tree.outline = {{0.0, 0.0}, {4.0, 0.0}, {0.0, 4.0}};
   tree.confidence = Confidence::kHigh;
-  return {"town/dsm.tif", "EPSG:27700", 0.5, {pair, tree}};
+  return {{"town/dsm.tif", "town/dtm.tif", "town/f.gpkg", "EPSG:27700", 0.5}, {pair, tree}};
 }
 
 void expect_equal(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b,
@@ -47,9 +47,11 @@ TEST(AnnotationsFile, IsReadBackAsWritten) {
   const AnnotatedTile written = sample();
   write_annotations(path, written);
   const AnnotatedTile read = read_annotations(path);
-  EXPECT_EQ(read.tile, written.tile);
-  EXPECT_EQ(read.crs, written.crs);
-  EXPECT_EQ(read.gsd, written.gsd);
+  EXPECT_EQ(read.source.tile, written.source.tile);
+  EXPECT_EQ(read.source.dtm, written.source.dtm);
+  EXPECT_EQ(read.source.footprints, written.source.footprints);
+  EXPECT_EQ(read.source.crs, written.source.crs);
+  EXPECT_EQ(read.source.gsd, written.source.gsd);
   ASSERT_EQ(read.houses.size(), 2u);
   for (size_t i = 0; i < 2; ++i) {
     const AnnotatedHouse& a = read.houses[i];

@@ -26,7 +26,7 @@ HouseAnswers sample() {
   open.id = "b2";
   open.foundation = Foundation::kC;
   open.polygon = {{1.0, 1.0}, {9.0, 1.0}, {5.0, 8.0}};
-  return {"town/dsm.tif", "EPSG:27700", 1.0, {house, open}};
+  return {{"town/dsm.tif", "", "", "EPSG:27700", 1.0}, {house, open}};
 }
 
 TEST(AnswersFile, IsReadBackAsWritten) {
@@ -34,9 +34,11 @@ TEST(AnswersFile, IsReadBackAsWritten) {
   const HouseAnswers written = sample();
   write_answers(scratch.path("a.json"), written);
   const HouseAnswers read = read_answers(scratch.path("a.json"));
-  EXPECT_EQ(read.tile, written.tile);
-  EXPECT_EQ(read.crs, written.crs);
-  EXPECT_EQ(read.gsd, written.gsd);
+  EXPECT_EQ(read.source.tile, written.source.tile);
+  EXPECT_EQ(read.source.dtm, written.source.dtm);
+  EXPECT_EQ(read.source.footprints, written.source.footprints);
+  EXPECT_EQ(read.source.crs, written.source.crs);
+  EXPECT_EQ(read.source.gsd, written.source.gsd);
   ASSERT_EQ(read.houses.size(), 2u);
   const HouseAnswer& a = read.houses[0];
   const HouseAnswer& b = written.houses[0];

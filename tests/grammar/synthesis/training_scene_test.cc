@@ -77,6 +77,8 @@ TrainingSceneOptions no_defects() {
   options.neighbour_share = options.tree_share = options.garden_share = options.shed_share = 0.0;
   options.car_share = options.clutter_share = options.hole_share = options.smooth_share = 0.0;
   options.off_center_share = options.outlier_share = 0.0;
+  options.row_share = options.oblique_share = options.torn_share = 0.0;
+  options.plain_share = options.footprint_error = 0.0;
   options.least_noise = options.most_noise = options.terrain_error = 0.0;
   return options;
 }
@@ -217,6 +219,74 @@ TEST(TrainingScene, OneShareChangesNothingOfTheHouse) {
   EXPECT_TRUE(same_bytes(with.truth, without.truth));
 }
 
+double ring_area(const std::vector<Eigen::Vector2d>& ring) {
+  double sum = 0.0;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const auto& a = ring[i];
+    const auto& b = ring[(i + 1) % ring.size()];
+    sum += 0.5 * ((a.x() - ring[0].x()) * (b.y() - ring[0].y()) -
+                  (a.y() - ring[0].y()) * (b.x() - ring[0].x()));
+  }
+  return sum;
+}
+
+TEST(TrainingScene, WithoutErrorsTheFootprintIsTheOutline) {
+  const TrainingSceneOptions options = no_defects();
+  for (Foundation foundation : kAll) {
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+      const TrainingScene scene = make_training_scene(foundation, seed, options);
+      ASSERT_EQ(scene.footprint.outer.size(), scene.outline.outer.size());
+      for (size_t i = 0; i < scene.outline.outer.size(); ++i) {
+        EXPECT_EQ(scene.footprint.outer[i], scene.outline.outer[i]);
+      }
+    }
+  }
+}
+
+TEST(TrainingScene, FootprintsOfFoundationsLoseFifteenPerCentAtMost) {
+  TrainingSceneOptions options;
+  options.row_share = options.oblique_share = 1.0;
+  int cut = 0;
+  constexpr int kScenes = 150;
+  for (int i = 0; i < kScenes; ++i) {
+    const TrainingScene scene = make_training_scene(kAll[i % 3], i, options);
+    const double kept = ring_area(scene.footprint.outer) / ring_area(scene.outline.outer);
+    EXPECT_GE(kept, 0.85 - 1e-6);
+    EXPECT_LE(kept, 1.0 + 1e-6);
+    if (kept > 0.999) continue;
+    ++cut;
+    EXPECT_TRUE(scene.outline_needed);
+  }
+  EXPECT_GT(cut, kScenes / 4);
+}
+
+TEST(TrainingScene, TornSlicesLoseMore) {
+  TrainingSceneOptions options;
+  options.torn_share = 1.0;
+  int torn = 0;
+  for (int i = 0; i < 80; ++i) {
+    const TrainingScene scene = make_training_scene(Foundation::kC, i, options);
+    if (scene.outline.outer.empty()) continue;
+    const double kept = ring_area(scene.footprint.outer) / ring_area(scene.outline.outer);
+    if (kept > 0.999) continue;
+    ++torn;
+    EXPECT_LE(kept, 0.78 + 1e-6);
+    EXPECT_GE(kept, 0.4 - 1e-6);
+    EXPECT_TRUE(scene.outline_needed);
+  }
+  EXPECT_GT(torn, 30);
+}
+
+TEST(TrainingScene, RowsNeedOutlines) {
+  TrainingSceneOptions options = no_defects();
+  options.row_share = 1.0;
+  options.most_gsd = 0.5;
+  for (int i = 0; i < 40; ++i) {
+    EXPECT_TRUE(
+        make_training_scene(i % 2 ? Foundation::kI : Foundation::kII, i, options).outline_needed);
+  }
+}
+
 TEST(TrainingScene, OptionsNameTheBoundThatDoesNotHold) {
   const auto check = [](auto set) {
     TrainingSceneOptions options;
@@ -240,6 +310,14 @@ TEST(TrainingScene, OptionsNameTheBoundThatDoesNotHold) {
   EXPECT_EQ(check([](auto* o) { o->most_noise = 3.0; }), "most_noise must be in [0, 2]");
   EXPECT_EQ(check([](auto* o) { o->least_noise = 0.5; }), "least_noise must be in [0, most_noise]");
   EXPECT_EQ(check([](auto* o) { o->terrain_error = 3.0; }), "terrain_error must be in [0, 2]");
+  EXPECT_EQ(check([](auto* o) { o->row_share = 2.0; }), "row_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->oblique_share = 2.0; }), "oblique_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->plain_share = 2.0; }), "plain_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->gable_share = 2.0; }), "gable_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->bent_share = 2.0; }), "bent_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->torn_share = 2.0; }), "torn_share must be in [0, 1]");
+  EXPECT_EQ(check([](auto* o) { o->least_hip_cells = 5.0; }), "least_hip_cells must be in [0, 4]");
+  EXPECT_EQ(check([](auto* o) { o->footprint_error = 2.0; }), "footprint_error must be in [0, 1]");
   EXPECT_EQ(check([](auto* o) { o->prior.max_diagonal = 3.0; }), "max_diagonal must be >= 26");
 }
 
