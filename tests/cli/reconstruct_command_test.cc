@@ -121,10 +121,9 @@ TEST(ReconstructCommand, DetectorsOfAnyFolderGiveTheSameBytesOnAnyNumberOfThread
   const VillageFolder village(3);
   write_tiny_nets(village);
   for (const std::string threads : {"1", "3"}) {
-    const ProgramRun run =
-        run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o",
-                   village.path(threads + ".city.jsonl"), "--detectors", village.path(""),
-                   "--threads", threads, "--quiet"});
+    const ProgramRun run = run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o",
+                                      village.path(threads + ".city.jsonl"), "--detectors",
+                                      village.path(""), "--threads", threads, "--quiet"});
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
   const std::string bytes = file_bytes(village.path("1.city.jsonl"));

@@ -105,7 +105,10 @@ TEST_F(ReconstructTile, DetectorsThatAreMissingAreKnownBeforeAnyWork) {
   TileCallbacks callbacks;
   callbacks.begin_window = [](int, int, size_t) { ADD_FAILURE() << "work was begun"; };
   const Error error = error_of(
-      [&] { reconstruct_tile({&dsm, &dtm, nullptr, nullptr}, options, {}, callbacks); }, "nowhere");
+      [&] {
+        reconstruct_tile({&dsm, &dtm, nullptr, nullptr}, options, {}, callbacks);
+      },
+      "nowhere");
   EXPECT_EQ(error.code(), ExitCode::kNoInput);
 }
 
