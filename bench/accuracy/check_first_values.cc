@@ -2,7 +2,8 @@
 // the detectors alone, and both. Prints of each the foundation accuracy with its confusion matrix,
 // the mean distances from the heights and the time per building.
 //   gable_check_first_values ANNOTATIONS DETECTORS DSM [--dtm FILE] [--footprints FILE]
-//       [--weight W]... [--skip P] [--least-confidence C] [--verbose]
+//       [--weight W]... [--skip P] [--least-confidence C] [--finalists N]
+//       [--verbose]
 
 #include <gable/engine/error.h>
 #include <gable/engine/io/annotations_file.h>
@@ -30,6 +31,7 @@ struct Arguments {
   std::vector<double> weights;
   double skip = 0.0;
   double least_confidence = DetectedValuesOptions{}.least_confidence;
+  int finalists = HouseChoiceOptions{}.finalists;
   bool verbose = false;
 };
 
@@ -79,32 +81,34 @@ std::vector<Subject> subjects_of(const Arguments& arguments) {
   options.least_confidence = arguments.least_confidence;
   std::vector<Subject> subjects;
   double ms = 0.0;
-  visit_tile(input, {}, {}, {},
-             [&](const std::string& id, const PlanPolygon* outline, TileBuilding* building) {
-               const AnnotatedHouse* house = annotation_of(tile, id, building->image);
-               if (!house) return;
-               Subject subject{id, building->image, {}, house->foundation, {}};
-               if (outline) subject.outline = *outline;
-               const auto start = std::chrono::steady_clock::now();
-               subject.detected = detect_values(subject.image, &nets, options);
-               ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() -
-                                                               start)
-                         .count();
-               subjects.push_back(std::move(subject));
-             });
+  visit_tile(
+      input, {}, {}, {},
+      [&](const std::string& id, const PlanPolygon* outline, TileBuilding* building) {
+        const AnnotatedHouse* house = annotation_of(tile, id, building->image);
+        if (!house) return;
+        Subject subject{id, building->image, {}, house->foundation, {}};
+        if (outline) subject.outline = *outline;
+        const auto start = std::chrono::steady_clock::now();
+        subject.detected = detect_values(subject.image, &nets, options);
+        ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+                  .count();
+        subjects.push_back(std::move(subject));
+      });
   int right = 0, right_house = 0, houses = 0;
   for (const Subject& s : subjects) {
     const auto& p = s.detected.foundation;
     right += std::max_element(p.begin(), p.end()) - p.begin() == static_cast<int>(s.truth);
     if (s.truth == Foundation::kC) continue;
     ++houses;
-    right_house += std::max_element(p.begin(), p.end() - 1) - p.begin() == static_cast<int>(s.truth);
+    right_house +=
+        std::max_element(p.begin(), p.end() - 1) - p.begin() == static_cast<int>(s.truth);
   }
   const double n = static_cast<double>(subjects.size());
-  std::printf("%zu houses of high or medium confidence; classifier alone: %.1f %% of all, "
-              "%.1f %% of the %d within the grammar; %.1f ms each\n",
-              subjects.size(), 100.0 * right / n, 100.0 * right_house / std::max(houses, 1), houses,
-              ms / n);
+  std::printf(
+      "%zu houses of high or medium confidence; classifier alone: %.1f %% of all, "
+      "%.1f %% of the %d within the grammar; %.1f ms each\n",
+      subjects.size(), 100.0 * right / n, 100.0 * right_house / std::max(houses, 1), houses,
+      ms / n);
   return subjects;
 }
 
@@ -119,8 +123,7 @@ void compare(const char* name, const std::vector<Subject>& subjects, const Build
     const ReconstructedBuilding made =
         reconstruct_building(s.id, s.image, s.outline ? &*s.outline : nullptr, options,
                              detect ? source : DetectValues{});
-    const Foundation found =
-        made.building.house ? made.building.house->foundation : Foundation::kC;
+    const Foundation found = made.building.house ? made.building.house->foundation : Foundation::kC;
     ++confusion[static_cast<int>(s.truth)][static_cast<int>(found)];
     right += found == s.truth;
     houses += s.truth != Foundation::kC;
@@ -146,11 +149,11 @@ void compare(const char* name, const std::vector<Subject>& subjects, const Build
   std::sort(mads.begin(), mads.end());
   const double mean = std::accumulate(mads.begin(), mads.end(), 0.0) / n;
   const auto under = std::lower_bound(mads.begin(), mads.end(), 0.4) - mads.begin();
-  std::printf("%-22s foundation %.1f %% (%.1f %% within the grammar), MAD median %.3f mean %.3f m, "
-              "under 0.40 m %.1f %%, %d extrusions, %d from detectors, %.0f ms each\n",
-              name, 100.0 * right / n, 100.0 * right_house / std::max(houses, 1),
-              mads[mads.size() / 2], mean, 100.0 * static_cast<double>(under) / n, extrusions,
-              from_detectors, ms / n);
+  std::printf(
+      "%-22s foundation %.1f %% (%.1f %% within the grammar), MAD median %.3f mean %.3f m, "
+      "under 0.40 m %.1f %%, %d extrusions, %d from detectors, %.0f ms each\n",
+      name, 100.0 * right / n, 100.0 * right_house / std::max(houses, 1), mads[mads.size() / 2],
+      mean, 100.0 * static_cast<double>(under) / n, extrusions, from_detectors, ms / n);
   std::printf("  truth \\ found   I   II  III    L    U    C\n");
   for (int t = 0; t < kNumFoundations; ++t) {
     std::printf("%15s", name_of(static_cast<Foundation>(t)).c_str());
@@ -168,6 +171,7 @@ int run(const Arguments& arguments) {
   }
   BuildingOptions options;
   options.choice.skipped_probability = arguments.skip;
+  options.choice.finalists = arguments.finalists;
   compare("classical", subjects, options, false, arguments.verbose);
   std::vector<double> weights = arguments.weights;
   if (weights.empty()) weights = {options.choice.type_weight};
@@ -202,6 +206,8 @@ int main(int argc, char** argv) {
       arguments.skip = std::atof(value().c_str());
     } else if (key == "--least-confidence") {
       arguments.least_confidence = std::atof(value().c_str());
+    } else if (key == "--finalists") {
+      arguments.finalists = std::atoi(value().c_str());
     } else if (key == "--verbose") {
       arguments.verbose = true;
     } else {

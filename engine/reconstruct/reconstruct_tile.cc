@@ -8,9 +8,8 @@
 namespace gable {
 
 std::string check(const TileOptions& options) {
-  for (const std::string& error :
-       {check(options.find), check(options.crop), check(options.building),
-        check(options.detected_values)}) {
+  for (const std::string& error : {check(options.find), check(options.crop),
+                                   check(options.building), check(options.detected_values)}) {
     if (!error.empty()) return error;
   }
   if (options.window_cells < 64 || options.window_cells > 32768) {
@@ -33,15 +32,14 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
       return detect_values(image, pool->lend().get(), options.detected_values);
     };
   }
-  return visit_tile(
-      input, options, stop, callbacks,
-      [&](const std::string& id, const PlanPolygon* outline, TileBuilding* building) {
-        ReconstructedBuilding made =
-            reconstruct_building(id, building->image, outline, options.building, detect);
-        building->building = std::move(made.building);
-        building->model = std::move(made.model);
-        building->choice = std::move(made.choice);
-      });
+  return visit_tile(input, options, stop, callbacks,
+                    [&](const std::string& id, const PlanPolygon* outline, TileBuilding* building) {
+                      ReconstructedBuilding made = reconstruct_building(
+                          id, building->image, outline, options.building, detect);
+                      building->building = std::move(made.building);
+                      building->model = std::move(made.model);
+                      building->choice = std::move(made.choice);
+                    });
 }
 
 }  // namespace gable

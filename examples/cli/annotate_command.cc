@@ -51,14 +51,15 @@ std::string epsg_text(const Crs& crs) {
   return crs.epsg > 0 ? "EPSG:" + std::to_string(crs.epsg) : "";
 }
 
-/// A file's path below GABLE_DATA; where it does not lie there, its name; empty where there is none.
+/// A file's path below GABLE_DATA; where it does not lie there, its name; empty where there is
+/// none.
 std::string name_in_data(const std::string& file) {
   if (file.empty()) return "";
   const char* data = std::getenv("GABLE_DATA");
   std::error_code none;
   if (data != nullptr) {
-    const fs::path below = fs::weakly_canonical(file, none).lexically_relative(
-        fs::weakly_canonical(fs::path(data), none));
+    const fs::path below = fs::weakly_canonical(file, none)
+                               .lexically_relative(fs::weakly_canonical(fs::path(data), none));
     if (!below.empty() && *below.begin() != "..") return below.generic_string();
   }
   return fs::path(file).filename().string();
@@ -116,10 +117,10 @@ AnnotationSheets sheets_into(StagedFolder* folder, const AnnotateOptions& option
 void propose(const AnnotateOptions& options, const CommandContext& context) {
   const TileFiles files(options.tile, [&](const std::string& line) { say(options, line); });
   const RasterFile& dsm = files.dsm();
-  HouseAnswers answers{{name_in_data(options.tile.dsm), name_in_data(options.tile.dtm),
-                        name_in_data(options.tile.footprints), epsg_text(dsm.crs()),
-                        dsm.grid().gsd},
-                       {}};
+  HouseAnswers answers{
+      {name_in_data(options.tile.dsm), name_in_data(options.tile.dtm),
+       name_in_data(options.tile.footprints), epsg_text(dsm.crs()), dsm.grid().gsd},
+      {}};
   const std::string list = (fs::path(options.output) / "answers.json").string();
   const std::map<std::string, HouseAnswer> before = reviewed_before(list, answers);
   StagedFolder staged(options.output);
@@ -194,7 +195,8 @@ void show(const AnnotateOptions& options) {
     const HeightRaster heights = heights_around(dsm, answer.frame);
     if (heights.values.empty()) {
       throw Error(ExitCode::kBadInput, options.show + ": " + house.id + " lies outside " +
-                                           options.tile.dsm + "; give the raster " + tile.source.tile);
+                                           options.tile.dsm + "; give the raster " +
+                                           tile.source.tile);
     }
     sheets.add(draw_annotation_panel({&answer, &heights, low_height(heights, answer.frame), nullptr,
                                       title_of(++shown, answer)}));
@@ -209,7 +211,8 @@ void show(const AnnotateOptions& options) {
 
 void run(const AnnotateOptions& options, const CommandContext& context) {
   if (!options.apply.empty()) return apply(options);
-  if (options.tile.dsm.empty()) throw Error(ExitCode::kUsage, "annotate wants DSM (see gable --help)");
+  if (options.tile.dsm.empty())
+    throw Error(ExitCode::kUsage, "annotate wants DSM (see gable --help)");
   options.show.empty() ? propose(options, context) : show(options);
 }
 

@@ -68,7 +68,8 @@ void run(const LabelOptions& options, const CommandContext& context) {
   };
   make_folder(options.folder);
   const TileFiles files(options.tile, say);
-  DatasetFolder dataset(options.folder, std::filesystem::path(options.tile.dsm).filename().string());
+  DatasetFolder dataset(options.folder,
+                        std::filesystem::path(options.tile.dsm).filename().string());
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
   tile_options.detectors = options.detectors.folder();
@@ -100,8 +101,8 @@ void run(const LabelOptions& options, const CommandContext& context) {
   dataset.append(samples);
   dataset.close();
   if (options.common.quiet) return;
-  std::cout << options.folder << ": " << samples.size() << " crops: " << verdicts[0]
-            << " houses, " << verdicts[1] << " beyond the grammar; left out: " << verdicts[2]
+  std::cout << options.folder << ": " << samples.size() << " crops: " << verdicts[0] << " houses, "
+            << verdicts[1] << " beyond the grammar; left out: " << verdicts[2]
             << " with a poor fit, " << verdicts[3] << " with a close second\n";
   if (!options.annotations.empty()) {
     std::cout << options.annotations << ": " << agreement.right << " of " << agreement.all
@@ -132,13 +133,15 @@ void add_label_command(CLI::App* app, const CommandContext& context) {
       ->type_name("P")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  command->add_option("--most-mad", options->sample.most_mad,
+  command
+      ->add_option("--most-mad", options->sample.most_mad,
                       "Largest mean distance from the heights, metres at cells of 0.5 m")
       ->type_name("METRES")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();
-  command->add_option("--least-gap", options->sample.least_gap,
-                      "How far ahead of any other foundation type in cost")
+  command
+      ->add_option("--least-gap", options->sample.least_gap,
+                   "How far ahead of any other foundation type in cost")
       ->type_name("COST")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();

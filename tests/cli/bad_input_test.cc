@@ -129,6 +129,22 @@ TEST_F(BadInput, FootprintsWithoutPolygons) {
   expect_refused(reconstruct(dsm_, dtm_, {"--footprints", none}), ExitCode::kBadInput, none);
 }
 
+TEST_F(BadInput, DetectorsThatAreMissingOrDamaged) {
+  const std::string nowhere = folder_.path("nowhere");
+  expect_refused(reconstruct(dsm_, dtm_, {"--detectors", nowhere}), ExitCode::kNoInput,
+                 nowhere + "/house.onnx");
+  std::filesystem::create_directory(folder_.path("nets"));
+  const std::string damaged = folder_.write("nets/house.onnx", "no network");
+  expect_refused(reconstruct(dsm_, dtm_, {"--detectors", folder_.path("nets")}),
+                 ExitCode::kBadInput, damaged);
+  expect_refused(reconstruct(dsm_, dtm_, {"--detectors", ""}), ExitCode::kUsage, "--detectors");
+}
+
+TEST_F(BadInput, DetectorsAreNamedAndForbiddenAtOnce) {
+  expect_refused(reconstruct(dsm_, dtm_, {"--detectors", folder_.path(""), "--no-detectors"}),
+                 ExitCode::kUsage, "--no-detectors");
+}
+
 TEST_F(BadInput, OutputsThatCannotBeWritten) {
   const std::string nowhere = folder_.path("nowhere/model.obj");
   expect_refused(reconstruct(dsm_, dtm_, {"--obj", nowhere}), ExitCode::kCannotWrite, nowhere);

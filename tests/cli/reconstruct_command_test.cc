@@ -2,11 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
 
 #include "cli/village_folder.h"
+#include "engine/detectors/tiny_nets.h"
 
 namespace gable {
 namespace {
@@ -78,6 +80,55 @@ TEST(ReconstructCommand, OneAndTwoThreadsGiveTheSameBytes) {
     EXPECT_TRUE(bytes == file_bytes(village.path("2" + end))) << end;
   }
   EXPECT_THAT(file_bytes(village.path("1.city.jsonl")), Not(HasSubstr("gable_time_ms")));
+}
+
+/// Sets GABLE_MODELS for the programs that are run, until it is dropped.
+class ModelsIn {
+ public:
+  explicit ModelsIn(const std::string& folder) { setenv("GABLE_MODELS", folder.c_str(), 1); }
+  ~ModelsIn() { unsetenv("GABLE_MODELS"); }
+};
+
+TEST(ReconstructCommand, WithoutDetectorsNoModelFileIsNeeded) {
+  const VillageFolder village(1);
+  std::filesystem::create_directory(village.path("models"));
+  const ModelsIn models(village.path("models"));
+  const std::string out = village.path("out.city.jsonl");
+  const ProgramRun run = run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o", out,
+                                    "--no-detectors", "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out + run.err, "");
+  EXPECT_EQ(read_buildings(out).buildings.size(), 1u);
+}
+
+TEST(ReconstructCommand, InstalledDetectorsAreUsedUnlessForbidden) {
+  const VillageFolder village(1);
+  std::filesystem::create_directories(village.path("models/detectors"));
+  village.write("models/detectors/house.onnx", "no network");
+  const ModelsIn models(village.path("models"));
+  const std::vector<std::string> arguments = {
+      "reconstruct", village.dsm(), "--dtm", village.dtm(), "-o", village.path("out.city.jsonl"),
+      "--quiet"};
+  const ProgramRun used = run_gable(arguments);
+  EXPECT_EQ(used.exit_code, 4);
+  EXPECT_THAT(used.err, HasSubstr("models/detectors/house.onnx"));
+  std::vector<std::string> forbidden = arguments;
+  forbidden.push_back("--no-detectors");
+  EXPECT_EQ(run_gable(forbidden).exit_code, 0);
+}
+
+TEST(ReconstructCommand, DetectorsOfAnyFolderGiveTheSameBytesOnAnyNumberOfThreads) {
+  const VillageFolder village(3);
+  write_tiny_nets(village);
+  for (const std::string threads : {"1", "3"}) {
+    const ProgramRun run = run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o",
+                                      village.path(threads + ".city.jsonl"), "--detectors",
+                                      village.path(""), "--threads", threads, "--quiet"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+  }
+  const std::string bytes = file_bytes(village.path("1.city.jsonl"));
+  EXPECT_FALSE(bytes.empty());
+  EXPECT_TRUE(bytes == file_bytes(village.path("3.city.jsonl")));
 }
 
 TEST(ReconstructCommand, TimesAreWrittenOnRequest) {

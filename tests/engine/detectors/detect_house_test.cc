@@ -5,19 +5,14 @@
 #include <cmath>
 
 #include "engine/detectors/drawn_maps.h"
-#include "engine/detectors/tiny_onnx.h"
-#include "engine/io/scratch.h"
+#include "engine/detectors/tiny_nets.h"
 
 namespace gable {
 namespace {
 
 class DetectHouse : public testing::Test {
  protected:
-  DetectHouse() {
-    scratch_.write(kHouseNet, tiny_house_net());
-    scratch_.write(kRoofNet, tiny_roof_net());
-    scratch_.write(kAzimuthNet, tiny_azimuth_net());
-  }
+  DetectHouse() { write_tiny_nets(scratch_); }
   ScratchFolder scratch_;
 };
 

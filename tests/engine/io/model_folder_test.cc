@@ -44,6 +44,7 @@ TEST_F(ModelFolder, AnUnknownNameIsAnsweredWithTheKnownOnes) {
 TEST_F(ModelFolder, DetectorsAreLookedUpInTheFolderOfTheEnvironmentFirst) {
   std::filesystem::create_directories(scratch_.path("detectors"));
   EXPECT_TRUE(std::filesystem::equivalent(find_detector_models(), scratch_.path("detectors")));
+  EXPECT_EQ(installed_detector_models(), find_detector_models());
 }
 
 TEST_F(ModelFolder, FoldersThatDoNotExistAreLeftOut) {

@@ -1,6 +1,7 @@
 #include <gable/engine/reconstruct/house_choice.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "engine/house_image.h"
@@ -75,6 +76,119 @@ TEST(HouseChoice, FindsNothingOnOpenGround) {
   EXPECT_EQ(choice.hypotheses, 0);
 }
 
+/// What detectors might say: one house, and the foundation's probability, the rest shared evenly.
+DetectedValues detected(const House& house, Foundation foundation, float probability) {
+  DetectedValues values;
+  values.foundation.fill((1.0f - probability) / 5.0f);
+  values.foundation[static_cast<size_t>(foundation)] = probability;
+  values.houses.push_back({house, std::log(probability)});
+  return values;
+}
+
+TEST(FoundationCharges, AreTwiceTheNegativeLogOfTheProbabilityAmongHouses) {
+  HouseChoiceOptions options;
+  options.type_weight = 3.0;
+  options.least_probability = 0.01;
+  const auto charges = foundation_charges({0.2f, 0.1f, 0.08f, 0.02f, 0.0f, 0.6f}, options);
+  EXPECT_NEAR(charges[0], 6.0 * std::log(2.0), 1e-5);
+  EXPECT_NEAR(charges[1], 6.0 * std::log(4.0), 1e-5);
+  EXPECT_NEAR(charges[2], 6.0 * std::log(5.0), 1e-5);
+  EXPECT_NEAR(charges[3], 6.0 * std::log(20.0), 1e-5);
+  EXPECT_NEAR(charges[4], 6.0 * std::log(100.0), 1e-5);  // bounded below
+  EXPECT_EQ(charges[5], 0.0);
+}
+
+TEST(FoundationCharges, AreAllTheSameWhereOnlyCIsProbable) {
+  const auto charges = foundation_charges({0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 1.0f}, {});
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(charges[i], charges[0]);
+}
+
+TEST(HouseChoice, StartsFromWhatIsDetectedAloneAndSaysSo) {
+  const Scene scene = scene_of(Foundation::kII, 2);
+  const HeightImage image = image_of(scene);
+  House start = scene.house;
+  for (Rule& footprint : start.footprints) footprint[0] += 0.6;
+  for (Rule& roof : start.roofs) roof[param::roof::kEaves] += 0.5;
+  HouseChoiceOptions options;
+  options.classical = false;
+  const DetectedValues values = detected(start, Foundation::kII, 0.9f);
+  const HouseChoice choice = choose_house(image, options, &values);
+  ASSERT_TRUE(choice.found);
+  EXPECT_EQ(choice.hypotheses, 1);
+  EXPECT_EQ(choice.best.house.foundation, Foundation::kII);
+  EXPECT_LT(choice.summary.mad, 0.2);
+  EXPECT_EQ(choice.best.source, ValueSource::kDetectors);
+  for (const Candidate& c : choice.finalists) EXPECT_EQ(c.source, ValueSource::kDetectors);
+  ASSERT_TRUE(choice.foundation.has_value());
+  EXPECT_EQ(*choice.foundation, values.foundation);
+}
+
+TEST(HouseChoice, NeitherSourceFindsNothing) {
+  const HeightImage image = image_of(scene_of(Foundation::kI, 2));
+  HouseChoiceOptions options;
+  options.classical = false;
+  EXPECT_FALSE(choose_house(image, options).found);
+  const DetectedValues empty;
+  EXPECT_FALSE(choose_house(image, options, &empty).found);
+}
+
+TEST(HouseChoice, AWrongDetectedHouseDoesNotSpoilTheChoice) {
+  const Scene scene = scene_of(Foundation::kI, 2);
+  const HeightImage image = image_of(scene);
+  House wrong = scene.house;
+  wrong.footprints[0][0] += 8.0;
+  HouseChoiceOptions options;
+  options.type_weight = 0.0;
+  const DetectedValues values = detected(wrong, Foundation::kI, 0.9f);
+  const HouseChoice alone = choose_house(image, options);
+  const HouseChoice both = choose_house(image, options, &values);
+  EXPECT_FALSE(alone.foundation.has_value());
+  EXPECT_EQ(both.hypotheses, alone.hypotheses + 1);
+  EXPECT_LE(both.best.cost.total, alone.best.cost.total + 1e-6);
+  EXPECT_EQ(both.best.house.foundation, alone.best.house.foundation);
+}
+
+/// Two blocks one after the other, the second one higher by `step` metres.
+House stepped_house(double step) {
+  House house = make_house(Foundation::kII);
+  house.footprints = {rectangle_rule(-8.0, 1.0, -4.0, 4.0), rectangle_rule(1.0, 8.0, -4.0, 4.0)};
+  house.roofs = {gable_roof(5.0, 2.5, Axis::kX), gable_roof(5.0 + step, 2.5, Axis::kX)};
+  return house;
+}
+
+TEST(HouseChoice, ProbabilitiesTurnAChoiceThatTheHeightsLeaveOpen) {
+  const House house = stepped_house(0.25);  // one rectangle or two
+  const HeightImage image = image_of(house, {.noise = 0.1});
+  HouseChoiceOptions options;
+  const auto chosen = [&](Foundation foundation, double weight) {
+    options.type_weight = weight;
+    DetectedValues values = detected(house, foundation, 0.98f);
+    values.houses.clear();
+    return choose_house(image, options, &values);
+  };
+  const HouseChoice as_one = chosen(Foundation::kI, 100.0), as_two = chosen(Foundation::kII, 100.0);
+  EXPECT_EQ(as_one.best.house.foundation, Foundation::kI);
+  EXPECT_EQ(as_two.best.house.foundation, Foundation::kII);
+  EXPECT_EQ(as_one.best.source, ValueSource::kClassical);
+  // Without weight they do not count.
+  EXPECT_EQ(chosen(Foundation::kI, 0.0).best.cost.total,
+            chosen(Foundation::kII, 0.0).best.cost.total);
+}
+
+TEST(HouseChoice, HypothesesOfImprobableTypesCanBeSkippedButNeverAll) {
+  const HeightImage image = image_of(scene_of(Foundation::kI, 2));
+  HouseChoiceOptions options;
+  DetectedValues values;
+  values.foundation = {0.95f, 0.01f, 0.01f, 0.01f, 0.01f, 0.01f};
+  const int all = choose_house(image, options, &values).hypotheses;
+  options.skipped_probability = 0.1;
+  const int some = choose_house(image, options, &values).hypotheses;
+  EXPECT_LT(some, all);
+  EXPECT_GE(some, 1);
+  options.skipped_probability = 1.0;
+  EXPECT_EQ(choose_house(image, options, &values).hypotheses, all);
+}
+
 TEST(HouseChoice, CheckNamesTheViolatedBound) {
   const auto with = [](auto change) {
     HouseChoiceOptions options;
@@ -88,6 +202,11 @@ TEST(HouseChoice, CheckNamesTheViolatedBound) {
   EXPECT_EQ(with([](Options* o) { o->hopeless = 1.0; }), "hopeless must be above 1");
   EXPECT_EQ(with([](Options* o) { o->least_noise = 0.0; }), "least_noise must be positive");
   EXPECT_EQ(with([](Options* o) { o->most_noise = 0.05; }), "most_noise is below least_noise");
+  EXPECT_EQ(with([](Options* o) { o->type_weight = 101.0; }), "type_weight must lie in [0, 100]");
+  EXPECT_EQ(with([](Options* o) { o->least_probability = 0.0; }),
+            "least_probability must lie in (0, 1]");
+  EXPECT_EQ(with([](Options* o) { o->skipped_probability = -0.1; }),
+            "skipped_probability must lie in [0, 1]");
 }
 
 }  // namespace

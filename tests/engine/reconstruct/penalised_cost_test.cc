@@ -122,6 +122,18 @@ TEST(PenalisedCost, ChargesBlocksThatDoNotFitWhatTheyShow) {
               1e-6);
 }
 
+TEST(PenalisedCost, ChargesAFoundationWhatItIsToldTo) {
+  const House house = box_house(12.0, 8.0, gable_roof(5.0, 2.5, Axis::kX), 0.3);
+  const HeightImage image = image_of(house);
+  PenaltyOptions options;
+  const PenalisedCost free = penalised_cost(image, house, options);
+  options.foundation_charge = {17.0, 1.0, 2.0, 3.0, 4.0, 5.0};
+  const PenalisedCost charged = penalised_cost(image, house, options);
+  EXPECT_NEAR(charged.prior, free.prior + 17.0, 1e-12);
+  EXPECT_NEAR(charged.total, free.total + 17.0, 1e-9);
+  EXPECT_EQ(charged.squared_residuals, free.squared_residuals);
+}
+
 TEST(PenalisedCost, FallsWithoutARuleThatIsNotThereAndRisesWithoutOneThatIs) {
   const House bare = box_house(12.0, 8.0, gable_roof(5.0, 2.5, Axis::kX), 0.3);
   const House full = detailed_house();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/detectors/tiny_nets.h"
 #include "engine/io/scratch.h"
 
 namespace gable {
@@ -71,6 +72,45 @@ class ReconstructTile : public testing::Test {
 TEST_F(ReconstructTile, WindowsDoNotChangeWhatIsFound) { expect_same_in_windows(false); }
 
 TEST_F(ReconstructTile, WindowsDoNotChangeWhatIsMadeOfFootprints) { expect_same_in_windows(true); }
+
+TEST_F(ReconstructTile, WithDetectorsThreadsChangeNothing) {
+  const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
+  write_tiny_nets(folder_);
+  TileOptions options;
+  options.detectors = folder_.path("");
+  const auto choices = [&](int threads) {
+    options.threads = threads;
+    std::vector<HouseChoice> made;
+    TileCallbacks callbacks;
+    callbacks.deliver = [&](TileBuilding&& b) { made.push_back(std::move(b.choice)); };
+    reconstruct_tile({&dsm, &dtm, &footprints_, nullptr}, options, {}, callbacks);
+    return made;
+  };
+  const std::vector<HouseChoice> one = choices(1), three = choices(3);
+  ASSERT_EQ(one.size(), footprints_.size());
+  ASSERT_EQ(three.size(), one.size());
+  for (size_t i = 0; i < one.size(); ++i) {
+    ASSERT_TRUE(one[i].foundation.has_value());
+    EXPECT_EQ(*one[i].foundation, *three[i].foundation);
+    EXPECT_EQ(one[i].hypotheses, three[i].hypotheses);
+    EXPECT_EQ(one[i].best.cost.total, three[i].best.cost.total);
+    EXPECT_EQ(one[i].best.source, three[i].best.source);
+  }
+}
+
+TEST_F(ReconstructTile, DetectorsThatAreMissingAreKnownBeforeAnyWork) {
+  const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
+  TileOptions options;
+  options.detectors = folder_.path("nowhere");
+  TileCallbacks callbacks;
+  callbacks.begin_window = [](int, int, size_t) { ADD_FAILURE() << "work was begun"; };
+  const Error error = error_of(
+      [&] {
+        reconstruct_tile({&dsm, &dtm, nullptr, nullptr}, options, {}, callbacks);
+      },
+      "nowhere");
+  EXPECT_EQ(error.code(), ExitCode::kNoInput);
+}
 
 TEST_F(ReconstructTile, AFootprintWithoutHeightsComesOutWithTheReason) {
   const Eigen::Vector2d corner = village_.dsm.grid.north_west;
