@@ -42,6 +42,16 @@ void mark_garages(const House& house, const Eigen::Vector3d& image_origin, Train
   }
 }
 
+/// The centres of dormers or chimneys in crop pixels.
+std::vector<Eigen::Vector2d> centers(const House& house, const std::vector<Rule>& rules,
+                                     const HouseCrop& crop, const Eigen::Vector3d& image_origin) {
+  std::vector<Eigen::Vector2d> points;
+  for (const Rule& rule : rules) {
+    points.push_back(crop_from_own_frame(house, {rule[0], rule[1]}, crop, image_origin));
+  }
+  return points;
+}
+
 /// The index of the found building that holds most cells of the scene's, or -1.
 int building_of_scene(const TrainingScene& scene, const FoundHouses& found) {
   std::vector<int> count(found.houses.size(), 0);
@@ -120,16 +130,8 @@ TrainingSample label_building(const HeightImage& image, Foundation foundation, c
     sample.components.push_back(component_corners(*house, i, sample.crop, image.origin));
   }
   sample.corners = foundation_corners(*house, sample.crop, image.origin);
-  const auto centers = [&](const std::vector<Rule>& rules) {
-    std::vector<Eigen::Vector2d> points;
-    for (const Rule& rule : rules) {
-      points.push_back(
-          crop_from_own_frame(*house, {rule[0], rule[1]}, sample.crop, image.origin));
-    }
-    return points;
-  };
-  sample.dormers = centers(house->dormers);
-  sample.chimneys = centers(house->chimneys);
+  sample.dormers = centers(*house, house->dormers, sample.crop, image.origin);
+  sample.chimneys = centers(*house, house->chimneys, sample.crop, image.origin);
   mark_garages(*house, image.origin, &sample);
   return sample;
 }
@@ -142,12 +144,15 @@ std::optional<TrainingSample> make_training_sample(const TrainingScene& scene, R
                           azimuth_candidates(*image, 0.1).front().azimuth);
   }
   House shown = scene.house;
-  keep_visible_details(scene, &shown);
+  const House faint = keep_visible_details(scene, &shown);
   const double error = random->chance(0.9) ? random->normal(kRoughTurn)
                                            : random->uniform(-kWrongTurn, kWrongTurn);
   const double azimuth =
       scene.house.azimuth[0] + error + 0.5 * M_PI * static_cast<double>(random->integer(0, 3));
-  return label_building(*image, scene.foundation, &shown, azimuth);
+  TrainingSample sample = label_building(*image, scene.foundation, &shown, azimuth);
+  sample.faint_dormers = centers(faint, faint.dormers, sample.crop, image->origin);
+  sample.faint_chimneys = centers(faint, faint.chimneys, sample.crop, image->origin);
+  return sample;
 }
 
 }  // namespace gable

@@ -25,6 +25,8 @@ struct TrainingSample {
   std::vector<CropCorner> corners;
   std::vector<Eigen::Vector2d> dormers;   ///< crop pixels
   std::vector<Eigen::Vector2d> chimneys;  ///< crop pixels
+  /// Those that are there but that the heights do not show.
+  std::vector<Eigen::Vector2d> faint_dormers, faint_chimneys;
   std::array<uint8_t, kCropPixels> garages{};
   bool details_known = true;  ///< whether dormers, chimneys and garages are all that there are
 };

@@ -21,11 +21,12 @@ struct Seen {
 
 }  // namespace
 
-void keep_visible_details(const TrainingScene& scene, House* house) {
-  if (house->dormers.empty() && house->chimneys.empty()) return;
+House keep_visible_details(const TrainingScene& scene, House* house) {
   House bare = *house;
   bare.dormers.clear();
   bare.chimneys.clear();
+  House faint = bare;
+  if (house->dormers.empty() && house->chimneys.empty()) return faint;
   const HeightField field(*house), roof(bare);
   std::vector<Seen> dormers(house->dormers.size()), chimneys(house->chimneys.size());
   for_covered_cells(*house, scene.dsm.grid, [&](int row, int col, double above_origin) {
@@ -42,20 +43,22 @@ void keep_visible_details(const TrainingScene& scene, House* house) {
     seen.sum += out;
     seen.most = std::max(seen.most, out);
   });
-  const auto keep = [](const std::vector<Seen>& seen, auto shows, std::vector<Rule>* rules) {
+  const auto keep = [](const std::vector<Seen>& seen, auto shows, std::vector<Rule>* rules,
+                       std::vector<Rule>* others) {
     std::vector<Rule> kept;
     for (size_t i = 0; i < rules->size(); ++i) {
-      if (shows(seen[i])) kept.push_back((*rules)[i]);
+      (shows(seen[i]) ? &kept : others)->push_back((*rules)[i]);
     }
     *rules = std::move(kept);
   };
   keep(
       dormers,
       [](const Seen& s) { return s.cells >= kDormerCells && s.sum >= kDormerStep * s.cells; },
-      &house->dormers);
+      &house->dormers, &faint.dormers);
   keep(
       chimneys, [](const Seen& s) { return s.cells > 0 && s.most >= kChimneyStep; },
-      &house->chimneys);
+      &house->chimneys, &faint.chimneys);
+  return faint;
 }
 
 }  // namespace gable

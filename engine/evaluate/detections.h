@@ -23,7 +23,9 @@ std::vector<Eigen::Vector2d> chimney_centers(const std::vector<Building>& buildi
 
 /// A detection is correct when a truth centre that no nearer pair has taken lies within `radius`
 /// metres (the paper: 3 pixels). Pairs are taken nearest first.
+/// What is left near one of `faint`, true ones that need not be found, is not counted as found.
 DetectionScore score_detections(const std::vector<Eigen::Vector2d>& found,
-                                const std::vector<Eigen::Vector2d>& truth, double radius);
+                                const std::vector<Eigen::Vector2d>& truth, double radius,
+                                const std::vector<Eigen::Vector2d>& faint = {});
 
 }  // namespace gable

@@ -33,10 +33,10 @@ void add(const DetectionScore& one, DetectionScore* sum) {
 }
 
 void add_detections(const CropAnswer& answer, int map, const std::vector<Eigen::Vector2d>& truth,
-                    DetectionScore* score) {
+                    const std::vector<Eigen::Vector2d>& faint, DetectionScore* score) {
   std::vector<Eigen::Vector2d> found;
   for (const Peak& peak : find_peaks(answer.map(map))) found.push_back(peak.crop);
-  add(score_detections(found, truth, kDetectionPixels), score);
+  add(score_detections(found, truth, kDetectionPixels, faint), score);
 }
 
 /// The distance of two angles modulo a quarter turn.
@@ -101,8 +101,8 @@ void add_score(const DetectorTruth& truth, DetectorNets* nets, DetectorScores* s
     scores->roofs[group].right +=
         most_probable(roof.of(truth.foundation)) == static_cast<int>(truth.roofs[i]);
   }
-  add_detections(answer, crop_map::kDormers, truth.dormers, &scores->dormers);
-  add_detections(answer, crop_map::kChimneys, truth.chimneys, &scores->chimneys);
+  add_detections(answer, crop_map::kDormers, truth.dormers, truth.faint_dormers, &scores->dormers);
+  add_detections(answer, crop_map::kChimneys, truth.chimneys, truth.faint_chimneys, &scores->chimneys);
   if (!truth.garages.empty()) {
     scores->garage_iou.add(intersection_over_union(
         pixels_above(answer.map(crop_map::kGarages), GarageOptions().threshold), truth.garages));

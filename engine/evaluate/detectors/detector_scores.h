@@ -43,7 +43,8 @@ struct DetectorScores {
   /// IoU of the best foundation of the true type with the true outline, by type I, II, III, L, U;
   /// none found counts 0.
   std::array<MeanScore, 5> foundation_iou;
-  DetectionScore dormers, chimneys;  ///< within 3 crop pixels
+  /// Within 3 crop pixels. Those that the heights do not show need not be found, but may be.
+  DetectionScore dormers, chimneys;
   MeanScore garage_iou;              ///< of pixels, over houses that have a garage
   std::vector<double> azimuth_errors;  ///< modulo a quarter turn, radians, >= 0
 

@@ -55,6 +55,8 @@ DetectorTruth truth_of(const TrainingSample& sample) {
   truth.roofs = sample.roofs;
   truth.dormers = sample.dormers;
   truth.chimneys = sample.chimneys;
+  truth.faint_dormers = sample.faint_dormers;
+  truth.faint_chimneys = sample.faint_chimneys;
   for (int row = 0; row < kCropSize; ++row) {
     for (int col = 0; col < kCropSize; ++col) {
       if (sample.garages[static_cast<size_t>(row) * kCropSize + col]) truth.garages.set(row, col);

@@ -22,7 +22,8 @@ struct DetectorTruth {
   CropBits outline;      ///< pixels of the foundation, garages left out
   std::vector<CropBits> components;  ///< of an I, II, III; one of an L or U: its outline
   std::vector<RoofType> roofs;       ///< of the components
-  std::vector<Eigen::Vector2d> dormers, chimneys;  ///< crop pixels
+  std::vector<Eigen::Vector2d> dormers, chimneys;  ///< crop pixels; those that the heights show
+  std::vector<Eigen::Vector2d> faint_dormers, faint_chimneys;  ///< those that they do not
   CropBits garages;
 };
 
