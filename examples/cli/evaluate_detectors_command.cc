@@ -32,6 +32,7 @@ struct EvaluateDetectorsOptions {
   std::vector<std::string> models;
   int synthetic = 2000;
   DatasetOptions dataset;
+  double gsd = 0.0;  ///< of the synthetic crops, metres; 0: mixed
   std::vector<std::string> real;
   std::string data;
   std::string confidence = "medium";
@@ -161,6 +162,10 @@ void add_evaluate_detectors_command(CLI::App* app, const CommandContext& context
                    "Of the synthetic crops; give one that was not trained on")
       ->type_name("N")
       ->capture_default_str();
+  command
+      ->add_option("--gsd", options->gsd, "Cell size of the synthetic crops, metres; else mixed")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.1, 2.0));
   command->add_option("--real", options->real, "Annotated buildings, see gable annotate")
       ->type_name("FILE");
   command
@@ -173,7 +178,12 @@ void add_evaluate_detectors_command(CLI::App* app, const CommandContext& context
       ->check(CLI::IsMember({"low", "medium", "high"}))
       ->capture_default_str();
   add_common_options(command, &options->common);
-  command->callback([options, context] { run(*options, context); });
+  command->callback([options, context] {
+    if (options->gsd > 0.0) {
+      options->dataset.scene.least_gsd = options->dataset.scene.most_gsd = options->gsd;
+    }
+    run(*options, context);
+  });
 }
 
 }  // namespace gable

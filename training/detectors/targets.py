@@ -47,8 +47,7 @@ def selected_weights(foundation: np.ndarray, details_known: np.ndarray) -> np.nd
     weights = np.zeros((len(foundation), NUM_SELECTED), np.float32)
     in_grammar = foundation < 5
     weights[:, :4] = in_grammar[:, None]
-    weights[:, 4:6] = (in_grammar & (details_known > 0))[:, None]
-    weights[:, 6] = in_grammar
+    weights[:, 4:] = (in_grammar & (details_known > 0))[:, None]
     return weights
 
 

@@ -56,7 +56,7 @@ class TargetsTest(unittest.TestCase):
 
     def test_what_is_not_known_has_no_weight(self):
         weights = selected_weights(np.array([1, 1, 5], np.uint8), np.array([1, 0, 1], np.uint8))
-        np.testing.assert_array_equal(weights, [[1] * 7, [1, 1, 1, 1, 0, 0, 1], [0] * 7])
+        np.testing.assert_array_equal(weights, [[1] * 7, [1, 1, 1, 1, 0, 0, 0], [0] * 7])
 
 
 if __name__ == "__main__":
