@@ -19,13 +19,14 @@ def class_loss(scores: Tensor, truth: Tensor, weights: Tensor, smoothing: float 
     return (losses * weights).sum() / weights.sum().clamp(min=1e-6)
 
 
-def map_loss(scores: Tensor, targets: Tensor, weights: Tensor, gains: Tensor) -> Tensor:
+def map_loss(scores: Tensor, targets: Tensor, weights: Tensor, gains: Tensor,
+             shares: Tensor) -> Tensor:
     """Weighted binary cross entropy of n x K x H x W scores against targets in [0, 1], mean over
-    pixels, summed over the K maps; n x K weights. A pixel of target t counts 1 + gain t, for what
-    there is to find covers few pixels: gains, K values."""
+    pixels, summed over the K maps times their shares; n x K weights. A pixel of target t counts
+    1 + gain t, for what there is to find covers few pixels: gains, shares, K values."""
     losses = F.softplus(scores) - scores * targets
     losses = (losses * (1 + gains[None, :, None, None] * targets)).mean((2, 3))
-    return ((losses * weights).sum(0) / weights.sum(0).clamp(min=1e-6)).sum()
+    return (shares * (losses * weights).sum(0) / weights.sum(0).clamp(min=1e-6)).sum()
 
 
 def azimuth_loss(bins: Tensor, cosines: Tensor, sines: Tensor, azimuth: Tensor,

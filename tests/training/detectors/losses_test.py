@@ -48,20 +48,23 @@ class LossesTest(unittest.TestCase):
         self.assertAlmostEqual(class_loss(scores, truth, weights).item(), want.item(), 6)
         maps, targets = torch.randn(2, 3, 8, 8), torch.rand(2, 3, 8, 8)
         known = torch.tensor([[1.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
-        before = map_loss(maps, targets, known, torch.ones(3))
+        before = map_loss(maps, targets, known, torch.ones(3), torch.ones(3))
         maps[:, 2] += 5
         maps[1, 1] -= 5
-        self.assertEqual(before, map_loss(maps, targets, known, torch.ones(3)))
+        self.assertEqual(before, map_loss(maps, targets, known, torch.ones(3), torch.ones(3)))
         maps[1, 0] += 5
-        self.assertNotEqual(before, map_loss(maps, targets, known, torch.ones(3)))
+        self.assertNotEqual(before, map_loss(maps, targets, known, torch.ones(3), torch.ones(3)))
 
     def test_the_map_loss_is_the_weighted_cross_entropy(self):
         maps, targets = torch.randn(3, 2, 8, 8), torch.rand(3, 2, 8, 8)
         gains = torch.tensor([9.0, 2.0])
         want = F.binary_cross_entropy_with_logits(
             maps, targets, 1 + gains[None, :, None, None] * targets, reduction="none")
-        got = map_loss(maps, targets, torch.ones(3, 2), gains)
+        got = map_loss(maps, targets, torch.ones(3, 2), gains, torch.ones(2))
         self.assertAlmostEqual(got.item(), want.mean((0, 2, 3)).sum().item(), 5)
+        got = map_loss(maps, targets, torch.ones(3, 2), gains, torch.tensor([1.0, 2.0]))
+        doubled = want.mean((0, 2, 3)) * torch.tensor([1.0, 2.0])
+        self.assertAlmostEqual(got.item(), doubled.sum().item(), 5)
 
 
 if __name__ == "__main__":
