@@ -1,11 +1,8 @@
-#include <gable/engine/error.h>
-#include <gable/engine/io/annotation_json.h>
 #include <gable/engine/io/annotations_file.h>
-#include <gable/engine/io/atomic_file.h>
+#include <gable/engine/io/house_list_file.h>
 #include <gable/engine/io/number_text.h>
 
 #include <cmath>
-#include <set>
 
 namespace gable {
 namespace {
@@ -80,38 +77,11 @@ AnnotatedHouse house_from_json(const Json& json) {
 }  // namespace
 
 void write_annotations(const std::string& path, const AnnotatedTile& tile) {
-  std::string text = "{\"format\":\"" + std::string(kFormat) +
-                     "\",\"version\":1," + source_text(tile.source) + ",\n\"houses\":[";
-  for (size_t i = 0; i < tile.houses.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + house_line(tile.houses[i]);
-  }
-  write_file_atomically(path, text + "]}\n");
+  write_house_list(path, kFormat, tile, house_line);
 }
 
 AnnotatedTile read_annotations(const std::string& path) {
-  AnnotatedTile tile;
-  std::string who;
-  try {
-    const Json json = annotation_json::read(path, kFormat);
-    tile.source = source(json);
-    const Json& houses = member(json, "houses");
-    require(houses.is_array(), "\"houses\" is no list");
-    std::set<std::string> ids;
-    for (const Json& item : houses) {
-      who = "a house ";
-      const std::string id = text(item, "id");
-      who = id + ": ";
-      require(ids.insert(id).second, "stands there twice");
-      tile.houses.push_back(house_from_json(item));
-      tile.houses.back().id = id;
-    }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw Error(ExitCode::kBadInput, path + ": " + who + error.what() +
-                                         "; correct it or write it anew with gable annotate");
-  }
-  return tile;
+  return read_house_list<AnnotatedTile>(path, kFormat, house_from_json);
 }
 
 }  // namespace gable

@@ -1,10 +1,7 @@
-#include <gable/engine/error.h>
-#include <gable/engine/io/annotation_json.h>
 #include <gable/engine/io/answers_file.h>
-#include <gable/engine/io/atomic_file.h>
+#include <gable/engine/io/house_list_file.h>
 #include <gable/engine/io/number_text.h>
 
-#include <set>
 
 namespace gable {
 namespace {
@@ -82,38 +79,11 @@ HouseAnswer house_from_json(const Json& json) {
 }  // namespace
 
 void write_answers(const std::string& path, const HouseAnswers& answers) {
-  std::string text = "{\"format\":\"" + std::string(kFormat) +
-                     "\",\"version\":1," + source_text(answers.source) + ",\n\"houses\":[";
-  for (size_t i = 0; i < answers.houses.size(); ++i) {
-    text += (i == 0 ? "\n" : ",\n") + house_text(answers.houses[i]);
-  }
-  write_file_atomically(path, text + "]}\n");
+  write_house_list(path, kFormat, answers, house_text);
 }
 
 HouseAnswers read_answers(const std::string& path) {
-  HouseAnswers answers;
-  std::string who;
-  try {
-    const Json json = annotation_json::read(path, kFormat);
-    answers.source = source(json);
-    const Json& houses = member(json, "houses");
-    require(houses.is_array(), "\"houses\" is no list");
-    std::set<std::string> ids;
-    for (const Json& item : houses) {
-      who = "a house ";
-      const std::string id = text(item, "id");
-      who = id + ": ";
-      require(ids.insert(id).second, "stands there twice");
-      answers.houses.push_back(house_from_json(item));
-      answers.houses.back().id = id;
-    }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw Error(ExitCode::kBadInput, path + ": " + who + error.what() +
-                                         "; correct it or write it anew with gable annotate");
-  }
-  return answers;
+  return read_house_list<HouseAnswers>(path, kFormat, house_from_json);
 }
 
 }  // namespace gable
