@@ -1,9 +1,9 @@
 #pragma once
 
+#include <gable/grammar/house.h>
+
 #include <array>
 #include <vector>
-
-#include <gable/grammar/house.h>
 
 namespace gable {
 
@@ -42,9 +42,9 @@ struct Block {
 /// Names the rules a block is made from.
 struct BlockSource {
   BlockRole role = BlockRole::kComponent;
-  int index = 0;      ///< component, garage, dormer or chimney number
-  int wing = 0;       ///< L-shaped garages: 0 wing x, 1 wing y
-  int own_rule = 0;   ///< position in House::derivation() of the roof, garage, dormer or chimney
+  int index = 0;     ///< component, garage, dormer or chimney number
+  int wing = 0;      ///< L-shaped garages: 0 wing x, 1 wing y
+  int own_rule = 0;  ///< position in House::derivation() of the roof, garage, dormer or chimney
   int footprint_rule = -1;  ///< position of the footprint rule it takes a rectangle from, or -1
 };
 
@@ -159,10 +159,9 @@ Block<T> expand_block(const House& house, const BlockSource& source, const T* ow
       const T y0 = own[d::kCenterY] - half_y;
       const T y1 = own[d::kCenterY] + half_y;
       // A dormer that leans over the eaves ends at the wall.
-      internal::set_rectangle<T>(x0 < parent[kX0] ? parent[kX0] : x0,
-                                 x1 > parent[kX1] ? parent[kX1] : x1,
-                                 y0 < parent[kY0] ? parent[kY0] : y0,
-                                 y1 > parent[kY1] ? parent[kY1] : y1, &block);
+      internal::set_rectangle<T>(
+          x0 < parent[kX0] ? parent[kX0] : x0, x1 > parent[kX1] ? parent[kX1] : x1,
+          y0 < parent[kY0] ? parent[kY0] : y0, y1 > parent[kY1] ? parent[kY1] : y1, &block);
       block[kEaves] = own[d::kEaves];
       block[kRise] = own[d::kRise];
       break;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include <gable/grammar/rule.h>
+
 #include <Eigen/Core>
 #include <string_view>
 #include <vector>
-
-#include <gable/grammar/rule.h>
 
 namespace gable {
 

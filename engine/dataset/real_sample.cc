@@ -75,8 +75,9 @@ RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& o
   const double gap = options.least_gap * std::sqrt(pixels / 100.0);
   const Foundation type = building.building.house->foundation;
   return lead_of(building.choice) < gap ||
-                 !is_probable(building.choice, type, options.least_probability) ? RealSampleVerdict::kCloseSecond
-                                        : RealSampleVerdict::kHouse;
+                 !is_probable(building.choice, type, options.least_probability)
+             ? RealSampleVerdict::kCloseSecond
+             : RealSampleVerdict::kHouse;
 }
 
 std::optional<TrainingSample> real_sample(const TileBuilding& building,

@@ -35,7 +35,8 @@ enum class RealSampleVerdict { kHouse, kBeyondGrammar, kPoorFit, kCloseSecond };
 /// infinite where no other came to the end, 0 where nothing was found.
 double lead_of(const HouseChoice& choice);
 
-/// Intersection over union of a building's pixels and those that its house, garages with it, covers.
+/// Intersection over union of a building's pixels and those that its house, garages with it,
+/// covers.
 double outline_iou(const TileBuilding& building);
 
 RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& options);

@@ -14,7 +14,8 @@ constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 void append_bits(const std::array<uint8_t, kCropPixels>& pixels, std::vector<unsigned char>* bits) {
   for (size_t i = 0; i < kCropPixels; i += 8) {
     unsigned char byte = 0;
-    for (size_t k = 0; k < 8; ++k) byte = static_cast<unsigned char>(byte << 1 | (pixels[i + k] != 0));
+    for (size_t k = 0; k < 8; ++k)
+      byte = static_cast<unsigned char>(byte << 1 | (pixels[i + k] != 0));
     bits->push_back(byte);
   }
 }

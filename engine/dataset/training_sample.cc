@@ -145,8 +145,8 @@ std::optional<TrainingSample> make_training_sample(const TrainingScene& scene, R
   }
   House shown = scene.house;
   const House faint = keep_visible_details(scene, &shown);
-  const double error = random->chance(0.9) ? random->normal(kRoughTurn)
-                                           : random->uniform(-kWrongTurn, kWrongTurn);
+  const double error =
+      random->chance(0.9) ? random->normal(kRoughTurn) : random->uniform(-kWrongTurn, kWrongTurn);
   const double azimuth =
       scene.house.azimuth[0] + error + 0.5 * M_PI * static_cast<double>(random->integer(0, 3));
   TrainingSample sample = label_building(*image, scene.foundation, &shown, azimuth);

@@ -30,8 +30,8 @@ House keep_visible_details(const TrainingScene& scene, House* house) {
   const HeightField field(*house), roof(bare);
   std::vector<Seen> dormers(house->dormers.size()), chimneys(house->chimneys.size());
   for_covered_cells(*house, scene.dsm.grid, [&](int row, int col, double above_origin) {
-    const Eigen::Vector2d point = field.house_from_local(scene.dsm.grid.center_of(row, col) -
-                                                         house->origin.head<2>());
+    const Eigen::Vector2d point =
+        field.house_from_local(scene.dsm.grid.center_of(row, col) - house->origin.head<2>());
     const BlockSource& source = field.sources()[field.block_at_house(point)];
     if (!stands_on_roof(source.role)) return;
     const double surveyed = scene.dsm.at(row, col) - house->origin.z();

@@ -29,9 +29,8 @@ std::vector<RoleAt> u_corners(const Rule& p) {
   const double x3 = x0 + p[kBaseLength], y1 = y0 + p[kBaseWidth];
   const double x1 = x0 + p[kLeftWidth], x2 = x3 - p[kRightWidth];
   const double left = y0 + p[kLeftLength], right = y0 + p[kRightLength];
-  return {{kOuter, x0, y0},       {kOuter, x3, y0},       {kOuterEnd, x3, right},
-          {kInnerEnd, x2, right}, {kConcave, x2, y1},     {kConcave, x1, y1},
-          {kInnerEnd, x1, left},  {kOuterEnd, x0, left}};
+  return {{kOuter, x0, y0},   {kOuter, x3, y0},   {kOuterEnd, x3, right}, {kInnerEnd, x2, right},
+          {kConcave, x2, y1}, {kConcave, x1, y1}, {kInnerEnd, x1, left},  {kOuterEnd, x0, left}};
 }
 
 }  // namespace

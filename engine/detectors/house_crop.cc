@@ -1,5 +1,4 @@
 #include <gable/engine/detectors/house_crop.h>
-
 #include <glog/logging.h>
 
 #include <algorithm>

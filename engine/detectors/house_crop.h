@@ -28,7 +28,8 @@ struct HouseCrop {
   double pixel = 0.5;                                    ///< metres
   double top = 0.0;  ///< height over the terrain that depth 255 stands for, metres, > 0
   /// Rows of pixels, channel after channel. Normals are of unit length in the house frame; x and y
-  /// map [-1, 1] to [0, 255], z maps [0, 1]. Depth maps heights over the terrain in [0, top], the third highest of the building.
+  /// map [-1, 1] to [0, 255], z maps [0, 1]. Depth maps heights over the terrain in [0, top], the
+  /// third highest of the building.
   std::array<uint8_t, kCropChannels * kCropPixels> channels{};
   /// 1: the building stands here, higher than 2 m over the terrain.
   std::array<uint8_t, kCropPixels> mask{};
@@ -46,10 +47,10 @@ struct HouseCrop {
 };
 
 /// The crop of a building's heights: the tight rectangle around its inside pixels that stand higher
-/// than 2 m, along the axes of `azimuth`, made square with its centre kept, with a fifth of its side
-/// added all around. Heights are sampled bilinearly; inside pixels without a measurement take that
-/// of the nearest one with; what lies beyond the image is bare ground. An image without such pixels
-/// is cut around all inside pixels, or whole.
+/// than 2 m, along the axes of `azimuth`, made square with its centre kept, with a fifth of its
+/// side added all around. Heights are sampled bilinearly; inside pixels without a measurement take
+/// that of the nearest one with; what lies beyond the image is bare ground. An image without such
+/// pixels is cut around all inside pixels, or whole.
 HouseCrop make_house_crop(const HeightImage& image, double azimuth);
 
 }  // namespace gable

@@ -2,7 +2,6 @@
 #include <gable/engine/io/house_list_file.h>
 #include <gable/engine/io/number_text.h>
 
-
 namespace gable {
 namespace {
 

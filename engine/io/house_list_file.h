@@ -23,8 +23,8 @@ void write_house_list(const std::string& path, const std::string& format, const 
   write_file_atomically(path, text + "]}\n");
 }
 
-/// Reads it; `house_from_json` reads all members of a house but its id. Throws Error: kNoInput where
-/// the file cannot be opened; kBadInput, naming the house, where it is not of this form.
+/// Reads it; `house_from_json` reads all members of a house but its id. Throws Error: kNoInput
+/// where the file cannot be opened; kBadInput, naming the house, where it is not of this form.
 template <typename List, typename HouseFromJson>
 List read_house_list(const std::string& path, const std::string& format,
                      const HouseFromJson& house_from_json) {

@@ -37,9 +37,8 @@ struct Window {
 
 class TileVisit {
  public:
-  TileVisit(const TileInput& input, const TileOptions& options,
-                     const std::stop_token& stop, const TileCallbacks& callbacks,
-            const MakeBuilding& make)
+  TileVisit(const TileInput& input, const TileOptions& options, const std::stop_token& stop,
+            const TileCallbacks& callbacks, const MakeBuilding& make)
       : input_(input),
         options_(options),
         stop_(stop),

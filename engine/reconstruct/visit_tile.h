@@ -13,8 +13,9 @@ namespace gable {
 using MakeBuilding =
     std::function<void(const std::string& id, const PlanPolygon* outline, TileBuilding* building)>;
 
-/// Cuts the height images of all buildings of a raster of any size, window by window, and has `make`
-/// make something of each, on several threads. `reconstruct_tile` is this with reconstruction.
+/// Cuts the height images of all buildings of a raster of any size, window by window, and has
+/// `make` make something of each, on several threads. `reconstruct_tile` is this with
+/// reconstruction.
 TileSummary visit_tile(const TileInput& input, const TileOptions& options,
                        const std::stop_token& stop, const TileCallbacks& callbacks,
                        const MakeBuilding& make);

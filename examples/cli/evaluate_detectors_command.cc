@@ -122,13 +122,14 @@ void run(const EvaluateDetectorsOptions& options, const CommandContext& context)
                                     }));
     }
     if (!real.houses.empty()) {
-      scores.emplace_back(
-          "real" + suffix,
-          scores_of(real.houses.size(), folder, options, context, [&](size_t i, DetectorNets* nets) {
-            const HeightImage& image = real.images[i];
-            const double azimuth = nets->azimuth(make_house_crop(image, 0.0)).angle();
-            return truth_of(real.houses[i], image, azimuth);
-          }));
+      scores.emplace_back("real" + suffix,
+                          scores_of(real.houses.size(), folder, options, context,
+                                    [&](size_t i, DetectorNets* nets) {
+                                      const HeightImage& image = real.images[i];
+                                      const double azimuth =
+                                          nets->azimuth(make_house_crop(image, 0.0)).angle();
+                                      return truth_of(real.houses[i], image, azimuth);
+                                    }));
     }
   }
   std::vector<ScoreColumn> columns;
@@ -162,8 +163,7 @@ void add_evaluate_detectors_command(CLI::App* app, const CommandContext& context
                    "Of the synthetic crops; give one that was not trained on")
       ->type_name("N")
       ->capture_default_str();
-  command
-      ->add_option("--gsd", options->gsd, "Cell size of the synthetic crops, metres; else mixed")
+  command->add_option("--gsd", options->gsd, "Cell size of the synthetic crops, metres; else mixed")
       ->type_name("METRES")
       ->check(CLI::Range(0.1, 2.0));
   command->add_option("--real", options->real, "Annotated buildings, see gable annotate")

@@ -135,7 +135,7 @@ void add_label_command(CLI::App* app, const CommandContext& context) {
       ->capture_default_str();
   command
       ->add_option("--most-mad", options->sample.most_mad,
-                      "Largest mean distance from the heights, metres at cells of 0.5 m")
+                   "Largest mean distance from the heights, metres at cells of 0.5 m")
       ->type_name("METRES")
       ->check(CLI::Range(0.01, 10.0))
       ->capture_default_str();

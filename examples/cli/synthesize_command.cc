@@ -82,7 +82,8 @@ void make_dataset(const SynthesizeOptions& options, const CommandContext& contex
   {
     Progress progress("crops", count, progress_style(options.common.quiet), std::cerr);
     const auto advance = [&](size_t crops) { progress.set_done(done += crops); };
-    if (!write_dataset(options.folder, dataset, options.common.num_threads(), context.stop, advance)) {
+    if (!write_dataset(options.folder, dataset, options.common.num_threads(), context.stop,
+                       advance)) {
       throw Error(ExitCode::kInterrupted, "interrupted");
     }
   }
@@ -122,7 +123,8 @@ void run(const SynthesizeOptions& options, const CommandContext& context) {
 void add_synthesize_command(CLI::App* app, const CommandContext& context) {
   auto options = std::make_shared<SynthesizeOptions>();
   CLI::App* command = app->add_subcommand(
-      "synthesize", "Make a village of random houses as a LiDAR survey would see it, or a training set");
+      "synthesize",
+      "Make a village of random houses as a LiDAR survey would see it, or a training set");
   command->add_option("--count", options->village.count, "Houses, or crops")
       ->type_name("N")
       ->check(CLI::Range(1, 100000000))

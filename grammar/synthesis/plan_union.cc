@@ -9,7 +9,6 @@
 namespace gable {
 namespace {
 
-
 constexpr double kFlatCorner = 0.005;  // corners that stand out less are dropped, metres
 constexpr double kLeastHole = 0.1;     // smaller holes are gaps between parts, metres squared
 

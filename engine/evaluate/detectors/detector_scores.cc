@@ -40,9 +40,7 @@ void add_detections(const CropAnswer& answer, int map, const std::vector<Eigen::
 }
 
 /// The distance of two angles modulo a quarter turn.
-double quarter_distance(double a, double b) {
-  return std::abs(std::remainder(a - b, 0.5 * M_PI));
-}
+double quarter_distance(double a, double b) { return std::abs(std::remainder(a - b, 0.5 * M_PI)); }
 
 }  // namespace
 
@@ -94,7 +92,9 @@ void add_score(const DetectorTruth& truth, DetectorNets* nets, DetectorScores* s
   }
   if (truth.foundation == Foundation::kC) return;
   scores->foundation_iou[type].add(iou_of_type(truth, answer));
-  const size_t group = truth.foundation == Foundation::kL ? 1 : truth.foundation == Foundation::kU ? 2 : 0;
+  const size_t group = truth.foundation == Foundation::kL   ? 1
+                       : truth.foundation == Foundation::kU ? 2
+                                                            : 0;
   for (size_t i = 0; i < truth.components.size() && i < truth.roofs.size(); ++i) {
     const RoofAnswer roof = nets->roof(truth.crop, truth.components[i]);
     ++scores->roofs[group].all;
@@ -102,7 +102,8 @@ void add_score(const DetectorTruth& truth, DetectorNets* nets, DetectorScores* s
         most_probable(roof.of(truth.foundation)) == static_cast<int>(truth.roofs[i]);
   }
   add_detections(answer, crop_map::kDormers, truth.dormers, truth.faint_dormers, &scores->dormers);
-  add_detections(answer, crop_map::kChimneys, truth.chimneys, truth.faint_chimneys, &scores->chimneys);
+  add_detections(answer, crop_map::kChimneys, truth.chimneys, truth.faint_chimneys,
+                 &scores->chimneys);
   if (!truth.garages.empty()) {
     scores->garage_iou.add(intersection_over_union(
         pixels_above(answer.map(crop_map::kGarages), GarageOptions().threshold), truth.garages));

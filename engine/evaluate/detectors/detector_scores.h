@@ -45,7 +45,7 @@ struct DetectorScores {
   std::array<MeanScore, 5> foundation_iou;
   /// Within 3 crop pixels. Those that the heights do not show need not be found, but may be.
   DetectionScore dormers, chimneys;
-  MeanScore garage_iou;              ///< of pixels, over houses that have a garage
+  MeanScore garage_iou;                ///< of pixels, over houses that have a garage
   std::vector<double> azimuth_errors;  ///< modulo a quarter turn, radians, >= 0
 
   /// Adds the scores of other buildings.

@@ -18,8 +18,8 @@ struct DetectorTruth {
   HouseCrop crop;    ///< rectified; the members below are in its frame
   HouseCrop turned;  ///< at azimuth 0
   Foundation foundation = Foundation::kC;
-  double azimuth = 0.0;  ///< modulo a quarter turn, radians; NaN where unknown
-  CropBits outline;      ///< pixels of the foundation, garages left out
+  double azimuth = 0.0;              ///< modulo a quarter turn, radians; NaN where unknown
+  CropBits outline;                  ///< pixels of the foundation, garages left out
   std::vector<CropBits> components;  ///< of an I, II, III; one of an L or U: its outline
   std::vector<RoofType> roofs;       ///< of the components
   std::vector<Eigen::Vector2d> dormers, chimneys;  ///< crop pixels; those that the heights show

@@ -43,7 +43,8 @@ const char* name_of(size_t foundation) {
 }
 
 std::string confusion_text(const ScoreColumn& column) {
-  std::string text = "\nConfusion of foundations, " + column.title + " (rows: truth, columns: answer)\n";
+  std::string text =
+      "\nConfusion of foundations, " + column.title + " (rows: truth, columns: answer)\n";
   text += padded("", 6);
   for (size_t i = 0; i < kNumFoundations; ++i) text += padded(name_of(i), 7);
   text += "houses\n";

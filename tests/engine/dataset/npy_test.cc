@@ -12,8 +12,8 @@ TEST(Npy, TheHeaderIsTheFormatsOwnAndEndsOnAMultipleOf64) {
     EXPECT_EQ(header.substr(0, 6), "\x93NUMPY");
     EXPECT_EQ(header.size() % 64, 0u);
     EXPECT_EQ(header.back(), '\n');
-    const size_t length = static_cast<unsigned char>(header[8]) +
-                          256u * static_cast<unsigned char>(header[9]);
+    const size_t length =
+        static_cast<unsigned char>(header[8]) + 256u * static_cast<unsigned char>(header[9]);
     EXPECT_EQ(length + 10, header.size());
     EXPECT_NE(header.find("'shape': (" + std::to_string(n) + ", 3, )"), std::string::npos);
   }

@@ -51,7 +51,9 @@ TEST(TrainingSample, CornersOfPolygonsLieWhereTheMaskTurns) {
       const House house = bare_house(foundation, seed);
       const TrainingSample sample =
           label_building(clean_image(house), foundation, &house, house.azimuth[0]);
-      const size_t expected = foundation == Foundation::kI ? 4 : foundation == Foundation::kL ? 6 : 8;
+      const size_t expected = foundation == Foundation::kI   ? 4
+                              : foundation == Foundation::kL ? 6
+                                                             : 8;
       ASSERT_EQ(sample.corners.size(), expected);
       for (const CropCorner& corner : sample.corners) {
         // Of the four quadrants around a convex corner one is covered, of a concave one three.

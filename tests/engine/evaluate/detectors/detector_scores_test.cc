@@ -49,7 +49,8 @@ TEST(ScoreTable, ShowsThePapersFiguresBesideThoseOfEveryColumn) {
   scores.dormers = {4, 5, 3};
   const ScoreColumn columns[] = {{"here", &scores}, {"there", &scores}};
   const std::string text = score_table(columns);
-  EXPECT_THAT(text, HasSubstr("foundation type                   89.2 %          75.0 %          75.0 %"));
+  EXPECT_THAT(
+      text, HasSubstr("foundation type                   89.2 %          75.0 %          75.0 %"));
   EXPECT_THAT(text, HasSubstr("roof type, L                      89.7 %          90.0 %"));
   EXPECT_THAT(text, HasSubstr("77 %, 84 %      60.0 %, 75.0 %"));
   EXPECT_THAT(text, HasSubstr("roof type, U                      66.0 %          -"));

@@ -43,7 +43,8 @@ HeightImage block_image(double azimuth) {
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const Eigen::Vector2d p = image.center_of(row, col);
-      const bool on = std::abs(c * p.x() + s * p.y()) < 6.0 && std::abs(-s * p.x() + c * p.y()) < 4.0;
+      const bool on =
+          std::abs(c * p.x() + s * p.y()) < 6.0 && std::abs(-s * p.x() + c * p.y()) < 4.0;
       image.height.push_back(on ? 4.0f : 0.0f);
       image.ground.push_back(0.0f);
       image.weight.push_back(1.0f);
