@@ -178,6 +178,7 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
     choice.foundation = detected->foundation;
     penalty.foundation_charge = foundation_charges(detected->foundation, options);
     drop_improbable(*detected, options, &candidates);
+    choice.detected_hypotheses = static_cast<int>(detected->houses.size());
     for (const FirstValue& value : detected->houses) {
       candidates.push_back({value.house, {}, ValueSource::kDetectors});
     }

@@ -59,6 +59,7 @@ struct HouseChoice {
   RefinementSummary summary;         ///< of the last refinement of the best
   std::vector<Candidate> finalists;  ///< best first, the winner among them
   int hypotheses = 0;                ///< how many were refined
+  int detected_hypotheses = 0;       ///< how many of them had first values from the detectors
   double noise = 0.0;                ///< of the heights as used to price parameters, metres
   /// Probabilities of the foundation types, C among them, where there were detected values.
   std::optional<std::array<float, kNumFoundations>> foundation;

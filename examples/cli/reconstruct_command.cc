@@ -1,11 +1,15 @@
 #include "examples/cli/reconstruct_command.h"
 
 #include <gable/engine/error.h>
+#include <gable/engine/reconstruct/explanation.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
+#include <vector>
 
 #include "examples/cli/detector_options.h"
 #include "examples/cli/model_outputs.h"
@@ -21,6 +25,7 @@ struct ReconstructOptions {
   TileFileOptions tile;
   DetectorOptions detectors;
   std::string filter;
+  std::vector<std::string> explain;  ///< ids
 };
 
 void say(const ReconstructOptions& options, const std::string& line) {
@@ -40,6 +45,34 @@ void summarise(const TileSummary& summary, size_t num_extrusions,
   }
   say(options, line);
 }
+
+/// What is asked for about single buildings, and which of them there were.
+class Explanations {
+ public:
+  explicit Explanations(const std::vector<std::string>& ids) : asked_(ids) {}
+
+  void see(const TileBuilding& made) {
+    if (std::find(asked_.begin(), asked_.end(), made.building.id) == asked_.end()) return;
+    seen_.insert(made.building.id);
+    text_ += (text_.empty() ? "" : "\n") + explain(made);
+  }
+
+  /// Throws Error where an id was asked for that no building has.
+  void print() const {
+    std::cout << text_ << std::flush;
+    for (const std::string& id : asked_) {
+      if (seen_.contains(id)) continue;
+      throw Error(ExitCode::kBadInput, "--explain " + id +
+                                           ": no building has this id; the models are written, "
+                                           "and carry the ids there are");
+    }
+  }
+
+ private:
+  const std::vector<std::string>& asked_;
+  std::set<std::string> seen_;
+  std::string text_;
+};
 
 void run(const ReconstructOptions& options, const CommandContext& context) {
   const TileFiles files(options.tile, [&](const std::string& line) { say(options, line); });
@@ -64,6 +97,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   }
   std::unique_ptr<Progress> progress;
   size_t num_extrusions = 0;
+  Explanations explanations(options.explain);
   TileCallbacks callbacks;
   callbacks.begin_window = [&](int window, int num_windows, size_t num_buildings) {
     progress.reset();
@@ -77,6 +111,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
     outputs.draw(made.index, made.building, made.image);
   };
   callbacks.deliver = [&](TileBuilding&& made) {
+    explanations.see(made);
     num_extrusions += made.building.status == BuildingStatus::kExtrusion;
     outputs.append(std::move(made.building), made.model);
     progress->advance();
@@ -86,6 +121,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
   outputs.close();
   summarise(summary, num_extrusions, options);
+  explanations.print();
 }
 
 }  // namespace
@@ -102,6 +138,13 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
       ->type_name("FILE")
       ->excludes(footprints);
   add_detector_options(command, &options->detectors);
+  command
+      ->add_option("--explain", options->explain,
+                   "Print how the house of the building with this id was chosen, and why the "
+                   "building came out as it did; may be given several times")
+      ->type_name("ID")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_output_options(command, &options->output);
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });

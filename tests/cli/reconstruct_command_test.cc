@@ -131,6 +131,52 @@ TEST(ReconstructCommand, DetectorsOfAnyFolderGiveTheSameBytesOnAnyNumberOfThread
   EXPECT_TRUE(bytes == file_bytes(village.path("3.city.jsonl")));
 }
 
+TEST(ReconstructCommand, BuildingsAreExplainedOnRequestAndNoOthers) {
+  const VillageFolder village(3);
+  const std::string out = village.path("out.city.jsonl");
+  const std::vector<std::string> arguments = {
+      "reconstruct", village.dsm(), "--dtm", village.dtm(), "-o", out, "--no-detectors", "--quiet"};
+  ASSERT_EQ(run_gable(arguments).exit_code, 0);
+  const std::string bytes = file_bytes(out);
+  const std::vector<Building> buildings = read_buildings(out).buildings;
+  ASSERT_EQ(buildings.size(), 3u);
+  std::vector<std::string> asking = arguments;
+  asking.insert(asking.end(), {"--explain", buildings[2].id, "--explain", buildings[0].id});
+  const ProgramRun run = run_gable(asking);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(run.out.starts_with(buildings[0].id + "\n")) << run.out;
+  EXPECT_THAT(run.out, HasSubstr("\n\n" + buildings[2].id + "\n"));
+  EXPECT_THAT(run.out, Not(HasSubstr(buildings[1].id)));
+  EXPECT_THAT(run.out, HasSubstr("finalists by J"));
+  EXPECT_THAT(run.out, HasSubstr(", 0 from the detectors\n"));
+  EXPECT_THAT(run.out, HasSubstr("outcome: a house of the grammar"));
+  EXPECT_TRUE(file_bytes(out) == bytes);
+}
+
+TEST(ReconstructCommand, DetectorsThatAreAskedAreExplained) {
+  const VillageFolder village(1);
+  write_tiny_nets(village);
+  const std::string out = village.path("out.city.jsonl");
+  const std::string id = read_buildings(village.truth()).buildings[0].id;
+  const ProgramRun run = run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(),
+                                    "--footprints", village.footprints(), "-o", out, "--detectors",
+                                    village.path(""), "--explain", id, "--quiet"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("the detectors' probabilities of the foundation: I 0."));
+}
+
+TEST(ReconstructCommand, AnIdToExplainThatNoBuildingHasIsNamedAfterTheModelsAreWritten) {
+  const VillageFolder village(1);
+  const std::string out = village.path("out.city.jsonl");
+  const ProgramRun run = run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o", out,
+                                    "--no-detectors", "--explain", "nowhere", "--quiet"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.out, "");
+  EXPECT_THAT(run.err, HasSubstr("--explain nowhere: no building has this id"));
+  EXPECT_EQ(read_buildings(out).buildings.size(), 1u);
+}
+
 TEST(ReconstructCommand, TimesAreWrittenOnRequest) {
   const VillageFolder village(1);
   const std::string out = village.path("out.city.jsonl");

@@ -144,6 +144,7 @@ TEST(HouseChoice, AWrongDetectedHouseDoesNotSpoilTheChoice) {
   const HouseChoice both = choose_house(image, options, &values);
   EXPECT_FALSE(alone.foundation.has_value());
   EXPECT_EQ(both.hypotheses, alone.hypotheses + 1);
+  EXPECT_EQ(both.detected_hypotheses, 1);
   EXPECT_LE(both.best.cost.total, alone.best.cost.total + 1e-6);
   EXPECT_EQ(both.best.house.foundation, alone.best.house.foundation);
 }
