@@ -100,18 +100,6 @@ std::vector<Node> take_ring(std::multimap<Node, Node>* edges) {
   return corners;
 }
 
-/// Even-odd rule for a point that lies on no edge.
-bool contains(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p) {
-  bool inside = false;
-  for (size_t k = 0; k < ring.size(); ++k) {
-    const Eigen::Vector2d& a = ring[k];
-    const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-  }
-  return inside;
-}
-
 }  // namespace
 
 std::vector<PlanPolygon> plan_outline(const House& house) {
@@ -140,7 +128,7 @@ std::vector<PlanPolygon> plan_outline(const House& house) {
     const Eigen::Vector2d left = Eigen::Vector2d(-along.y(), along.x()).normalized() * kSame;
     const Eigen::Vector2d beside = 0.5 * (hole[0] + hole[1]) + 0.5 * left;
     for (PlanPolygon& polygon : polygons) {
-      if (contains(polygon.outer, beside)) polygon.holes.push_back(hole);
+      if (ring_holds(polygon.outer, beside)) polygon.holes.push_back(hole);
     }
   }
   for (PlanPolygon& polygon : polygons) {

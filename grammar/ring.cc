@@ -11,4 +11,15 @@ double signed_area(const Ring& ring) {
   return twice / 2.0;
 }
 
+bool ring_holds(const Ring& ring, const Eigen::Vector2d& p) {
+  bool inside = false;
+  for (size_t k = 0; k < ring.size(); ++k) {
+    const Eigen::Vector2d& a = ring[k];
+    const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
+    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
+  }
+  return inside;
+}
+
 }  // namespace gable

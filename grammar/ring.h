@@ -11,4 +11,7 @@ using Ring = std::vector<Eigen::Vector2d>;
 /// Area of a ring (shoelace formula around its first point): positive where it runs anticlockwise.
 double signed_area(const Ring& ring);
 
+/// Even-odd rule for a point that lies on no edge.
+bool ring_holds(const Ring& ring, const Eigen::Vector2d& point);
+
 }  // namespace gable

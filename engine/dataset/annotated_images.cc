@@ -1,21 +1,12 @@
 #include <gable/engine/dataset/annotated_images.h>
 #include <gable/engine/reconstruct/visit_tile.h>
+#include <gable/grammar/ring.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace gable {
 namespace {
-
-bool ring_holds(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p) {
-  bool inside = false;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    inside ^= p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-  }
-  return inside;
-}
 
 bool holds(const AnnotatedHouse& house, const Eigen::Vector2d& world) {
   return ring_holds(house.outline, world) ||

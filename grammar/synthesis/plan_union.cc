@@ -128,17 +128,6 @@ bool cross_each_other(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
 
 }  // namespace
 
-bool ring_holds(const Ring& ring, const Eigen::Vector2d& p) {
-  bool inside = false;
-  for (size_t k = 0; k < ring.size(); ++k) {
-    const Eigen::Vector2d& a = ring[k];
-    const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) inside = !inside;
-  }
-  return inside;
-}
-
 double ring_distance(const Ring& a, const Ring& b) {
   if (ring_holds(a, b.front()) || ring_holds(b, a.front())) return 0.0;
   double nearest = std::numeric_limits<double>::infinity();

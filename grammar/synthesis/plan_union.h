@@ -8,9 +8,6 @@
 
 namespace gable {
 
-/// Even-odd rule for a point that lies on no edge.
-bool ring_holds(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& point);
-
 /// Distance between two rings counted as areas, 0 where they overlap, metres.
 double ring_distance(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b);
 

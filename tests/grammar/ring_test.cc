@@ -24,5 +24,14 @@ TEST(Ring, FewerThanThreePointsHaveNoArea) {
   EXPECT_EQ(signed_area({{0.0, 0.0}, {1.0, 1.0}}), 0.0);
 }
 
+TEST(Ring, HoldsThePointsWithinItAndNotThoseInItsNotch) {
+  const Ring notched = {{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {2.0, 1.0}, {0.0, 4.0}};
+  EXPECT_TRUE(ring_holds(notched, {2.0, 0.5}));
+  EXPECT_TRUE(ring_holds(notched, {3.5, 3.0}));
+  EXPECT_FALSE(ring_holds(notched, {2.0, 2.0}));
+  EXPECT_FALSE(ring_holds(notched, {5.0, 1.5}));
+  EXPECT_FALSE(ring_holds({}, {0.0, 0.0}));
+}
+
 }  // namespace
 }  // namespace gable

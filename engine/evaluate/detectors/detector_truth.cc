@@ -1,4 +1,5 @@
 #include <gable/engine/evaluate/detectors/detector_truth.h>
+#include <gable/grammar/ring.h>
 
 #include <array>
 #include <cmath>
@@ -26,16 +27,8 @@ bool is_one_polygon(Foundation foundation) {
 CropBits bits_of_polygon(const std::vector<Eigen::Vector2d>& ring) {
   CropBits bits;
   for (int row = 0; row < kCropSize; ++row) {
-    const double y = row + 0.5;
     for (int col = 0; col < kCropSize; ++col) {
-      const double x = col + 0.5;
-      bool inside = false;
-      for (size_t i = 0; i < ring.size(); ++i) {
-        const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
-        if ((a.y() > y) == (b.y() > y)) continue;
-        inside ^= x < a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-      }
-      if (inside) bits.set(row, col);
+      if (ring_holds(ring, {col + 0.5, row + 0.5})) bits.set(row, col);
     }
   }
   return bits;
