@@ -87,8 +87,9 @@ def main() -> None:
     about = json.loads((Path(options.data) / "dataset.json").read_text())
     lines = [
         "# The detectors", "",
-        "What they see and say: [docs/detectors.md](../../docs/detectors.md). Made by "
-        "`training/train_detectors.sh`, which does all of it again.", "",
+        "What they see and say: [docs/detectors.md](../../docs/detectors.md). Trained "
+        "as `training/train_detectors.sh` does it; where a network began with the weights of an "
+        "earlier training, docs/detectors.md tells the stages.", "",
         f"Synthesised crops: {about['crops']} ({about['source']}); the last "
         "tenth is not trained on, and the scores are of crops from there. The maps' thresholds are "
         "set on one half of these, the scores of `house.onnx` are of the other.", "",
