@@ -26,6 +26,7 @@
 #include <vector>
 
 #include "examples/cli/detector_options.h"
+#include "examples/cli/extent_option.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
 
@@ -38,7 +39,7 @@ struct AnnotateOptions {
   CommonOptions common;
   TileFileOptions tile;
   std::string output, apply, show;
-  std::vector<double> extent;
+  ExtentOption extent;
   AnnotationSheetOptions sheets;
   DetectorOptions detectors;
 };
@@ -63,12 +64,6 @@ std::string name_in_data(const std::string& file) {
     if (!below.empty() && *below.begin() != "..") return below.generic_string();
   }
   return fs::path(file).filename().string();
-}
-
-bool wanted(const AnnotateOptions& options, const Eigen::Vector2d& world) {
-  const std::vector<double>& e = options.extent;
-  return e.empty() ||
-         (world.x() >= e[0] && world.y() >= e[1] && world.x() < e[2] && world.y() < e[3]);
 }
 
 HeightRaster heights_around(const RasterFile& dsm, const CropFrame& frame) {
@@ -134,7 +129,7 @@ void propose(const AnnotateOptions& options, const CommandContext& context) {
   };
   callbacks.deliver = [&](TileBuilding&& made) {
     progress->advance();
-    if (!wanted(options, made.image.origin.head<2>())) return;
+    if (!options.extent.holds(made.image.origin.head<2>())) return;
     const auto old = before.find(made.building.id);
     HouseAnswer answer =
         old != before.end() ? old->second : proposed_answer(made.building, made.image);
@@ -190,7 +185,7 @@ void show(const AnnotateOptions& options) {
   AnnotationSheets sheets = sheets_into(&staged, options);
   size_t shown = 0;
   for (const AnnotatedHouse& house : tile.houses) {
-    if (!wanted(options, house.center)) continue;
+    if (!options.extent.holds(house.center)) continue;
     const HouseAnswer answer = answer_from_annotated(house);
     const HeightRaster heights = heights_around(dsm, answer.frame);
     if (heights.values.empty()) {
@@ -238,11 +233,7 @@ void add_annotate_command(CLI::App* app, const CommandContext& context) {
                    "Draw sheets of these annotations over DSM instead of making proposals")
       ->type_name("FILE")
       ->excludes(apply_option);
-  command
-      ->add_option("--extent", options->extent,
-                   "Only buildings here: west, south, east and north in the raster's metres")
-      ->type_name("W S E N")
-      ->expected(4);
+  add_extent_option(command, &options->extent);
   command
       ->add_option("--columns", options->sheets.columns, "Buildings beside each other on a sheet")
       ->type_name("N")

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "examples/cli/detector_options.h"
+#include "examples/cli/extent_option.h"
 #include "examples/cli/new_folder.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
@@ -26,16 +27,10 @@ struct LabelOptions {
   TileFileOptions tile;
   DetectorOptions detectors;
   std::string folder;
-  std::vector<double> extent;
+  ExtentOption extent;
   RealSampleOptions sample;
   std::string annotations;
 };
-
-bool wanted(const LabelOptions& options, const Eigen::Vector3d& world) {
-  const std::vector<double>& e = options.extent;
-  return e.empty() ||
-         (world.x() >= e[0] && world.y() >= e[1] && world.x() < e[2] && world.y() < e[3]);
-}
 
 // Buildings that share less with an annotation are not the annotated ones.
 constexpr double kLeastIou = 0.4;
@@ -87,7 +82,7 @@ void run(const LabelOptions& options, const CommandContext& context) {
   };
   callbacks.deliver = [&](TileBuilding&& made) {
     progress->advance();
-    if (!wanted(options, made.image.origin)) return;
+    if (!options.extent.holds(made.image.origin.head<2>())) return;
     ++verdicts[static_cast<size_t>(judge(made, options.sample))];
     auto sample = real_sample(made, options.sample);
     if (!sample) return;
@@ -118,11 +113,7 @@ void add_label_command(CLI::App* app, const CommandContext& context) {
       "label", "Write crops of the houses that reconstruction is sure of, as a training set");
   add_tile_file_options(command, &options->tile);
   add_detector_options(command, &options->detectors);
-  command
-      ->add_option("--extent", options->extent,
-                   "Only buildings with their centre in west south east north, world metres")
-      ->type_name("W S E N")
-      ->expected(4);
+  add_extent_option(command, &options->extent);
   command
       ->add_option("--annotations", options->annotations,
                    "Say how many labels agree with these annotations (see gable annotate)")
