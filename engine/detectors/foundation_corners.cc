@@ -41,8 +41,7 @@ Eigen::Vector2d crop_from_own_frame(const House& house, const Eigen::Vector2d& p
   const Eigen::Vector2d local =
       (house.origin - image_origin).head<2>() +
       Eigen::Vector2d(own_c * point.x() - own_s * point.y(), own_s * point.x() + own_c * point.y());
-  const double c = std::cos(crop.azimuth), s = std::sin(crop.azimuth);
-  return crop.crop_from_house({c * local.x() + s * local.y(), -s * local.x() + c * local.y()});
+  return crop.crop_from_local(local);
 }
 
 std::array<Eigen::Vector2d, 4> component_corners(const House& house, int component,

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -43,6 +44,10 @@ struct HouseCrop {
   }
   Eigen::Vector2d crop_from_house(const Eigen::Vector2d& house) const {
     return {(house.x() - north_west.x()) / pixel, (north_west.y() - house.y()) / pixel};
+  }
+  Eigen::Vector2d crop_from_local(const Eigen::Vector2d& local) const {
+    const double c = std::cos(azimuth), s = std::sin(azimuth);
+    return crop_from_house({c * local.x() + s * local.y(), -s * local.x() + c * local.y()});
   }
 };
 

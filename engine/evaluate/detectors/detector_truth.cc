@@ -11,13 +11,6 @@ CropBits bits_of_corners(const std::array<Eigen::Vector2d, 4>& c) {
   return bits_of_polygon({c[0], c[1], c[3], c[2]});
 }
 
-Eigen::Vector2d crop_from_world(const Eigen::Vector2d& world, const HouseCrop& crop,
-                                const Eigen::Vector3d& image_origin) {
-  const Eigen::Vector2d local = world - image_origin.head<2>();
-  const double c = std::cos(crop.azimuth), s = std::sin(crop.azimuth);
-  return crop.crop_from_house({c * local.x() + s * local.y(), -s * local.x() + c * local.y()});
-}
-
 bool is_one_polygon(Foundation foundation) {
   return foundation == Foundation::kL || foundation == Foundation::kU;
 }
@@ -67,7 +60,7 @@ DetectorTruth truth_of(const AnnotatedHouse& house, const HeightImage& image, do
   const auto in_crop = [&](const auto& points) {
     std::vector<Eigen::Vector2d> crop;
     for (const Eigen::Vector2d& p : points) {
-      crop.push_back(crop_from_world(p, truth.crop, image.origin));
+      crop.push_back(truth.crop.crop_from_local(p - image.origin.head<2>()));
     }
     return crop;
   };
