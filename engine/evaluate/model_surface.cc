@@ -1,6 +1,5 @@
 #include <gable/engine/evaluate/model_surface.h>
-#include <gable/grammar/polygon_cells.h>
-#include <gable/grammar/rasterise.h>
+#include <gable/engine/io/building_plan.h>
 
 #include <limits>
 
@@ -12,7 +11,7 @@ ModelSurface rasterise_buildings(const std::vector<Building>& buildings, const G
   surface.owner = Raster<int>(grid, -1);
   for (size_t i = 0; i < buildings.size(); ++i) {
     const Building& building = buildings[i];
-    const double origin_z = building.house ? building.house->origin.z() : building.origin.z();
+    const double origin_z = origin_of(building).z();
     const auto raise = [&](int row, int col, double above_origin) {
       const float height = static_cast<float>(origin_z + above_origin);
       float& seen = surface.height.at(row, col);
@@ -20,12 +19,7 @@ ModelSurface rasterise_buildings(const std::vector<Building>& buildings, const G
       seen = height;
       surface.owner.at(row, col) = static_cast<int>(i);
     };
-    if (building.house) {
-      for_covered_cells(*building.house, grid, raise);
-    } else {
-      for_cells_in_polygon(building.outline, building.origin.head<2>(), grid,
-                           [&](int row, int col) { raise(row, col, building.height); });
-    }
+    for_building_cells(building, grid, raise);
   }
   return surface;
 }

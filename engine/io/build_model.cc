@@ -33,7 +33,7 @@ BuildingModel build_model(const Building& building) {
   }
   model.origin = building.house->origin;
   for (const Lod lod : {Lod::k12, Lod::k20, Lod::k22}) {
-    HouseSolids solids = build_house_solids(*building.house, lod, building.base);
+    HouseSolids solids = build_house_solids(*building.house, lod, building.base, building.walls);
     std::map<std::pair<PartRole, int>, int> pieces;
     for (HousePart& part : solids.parts) {
       const int piece = pieces[{part.role, part.index}]++;

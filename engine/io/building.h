@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/grammar/house.h>
+#include <gable/grammar/known_outline.h>
 #include <gable/grammar/solid/extrusion.h>
 #include <gable/grammar/solid/house_solids.h>
 
@@ -39,6 +40,9 @@ struct Building {
   /// Standard deviations of the parameters in derivation order, one vector per rule; empty when
   /// they are not known.
   std::vector<std::vector<double>> deviations;
+
+  /// kGrammar: where the walls are known to be (OutlinedHouse), relative to `house->origin`.
+  KnownOutline walls;
 
   /// kExtrusion: the outline relative to `origin`, and its height above it.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();

@@ -36,6 +36,14 @@ Json ring_json(const std::vector<Eigen::Vector2d>& ring) {
   return json;
 }
 
+Json polygon_json(const PlanPolygon& polygon) {
+  Json json;
+  json["outer"] = ring_json(polygon.outer);
+  Json& holes = json["holes"] = Json::array();
+  for (const auto& ring : polygon.holes) holes.push_back(ring_json(ring));
+  return json;
+}
+
 Json derivation_json(const Building& building) {
   Json json;
   if (!building.house) {
@@ -43,14 +51,16 @@ Json derivation_json(const Building& building) {
     json["base"] = building.base;
     json["foundation"] = foundation_name(Foundation::kC);
     json["height"] = building.height;
-    json["outline"]["outer"] = ring_json(building.outline.outer);
-    Json& holes = json["outline"]["holes"] = Json::array();
-    for (const auto& ring : building.outline.holes) holes.push_back(ring_json(ring));
+    json["outline"] = polygon_json(building.outline);
     return json;
   }
   const House& house = *building.house;
   json["origin"] = point_json(house.origin);
   json["base"] = building.base;
+  if (!building.walls.empty()) {
+    json["walls"] = polygon_json(building.walls.polygon);
+    json["walls"]["reach"] = building.walls.reach;
+  }
   json["foundation"] = foundation_name(house.foundation);
   Json& rules = json["rules"] = Json::array();
   const auto derivation = house.derivation();

@@ -142,6 +142,17 @@ void read_house(const Reader& reader, const Json& derivation, Foundation foundat
   building->house = std::move(house);
 }
 
+PlanPolygon read_polygon(const Reader& reader, const Json& json) {
+  PlanPolygon polygon;
+  polygon.outer = reader.ring(reader.member(json, "outer"));
+  if (json.contains("holes")) {
+    for (const Json& hole : reader.list(json["holes"], "the holes of the outline")) {
+      polygon.holes.push_back(reader.ring(hole));
+    }
+  }
+  return polygon;
+}
+
 double optional_number(const Reader& reader, const Json& attributes, const char* key,
                        double missing) {
   return attributes.contains(key) ? reader.number(attributes[key], key) : missing;
@@ -173,18 +184,17 @@ Building building_from_attributes(const std::string& id, const Json& attributes,
   }
   if (foundation != Foundation::kC) {
     read_house(reader, derivation, foundation, &building);
+    if (derivation.contains("walls")) {
+      const Json& walls = derivation["walls"];
+      building.walls.polygon = read_polygon(reader, walls);
+      building.walls.reach = reader.number(reader.member(walls, "reach"), "reach");
+    }
     return building;
   }
   building.status = BuildingStatus::kExtrusion;
   building.origin = reader.point(reader.member(derivation, "origin"), "origin");
   building.height = reader.number(reader.member(derivation, "height"), "height");
-  const Json& outline = reader.member(derivation, "outline");
-  building.outline.outer = reader.ring(reader.member(outline, "outer"));
-  if (outline.contains("holes")) {
-    for (const Json& hole : reader.list(outline["holes"], "the holes of the outline")) {
-      building.outline.holes.push_back(reader.ring(hole));
-    }
-  }
+  building.outline = read_polygon(reader, reader.member(derivation, "outline"));
   return building;
 }
 

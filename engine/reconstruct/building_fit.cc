@@ -1,6 +1,5 @@
+#include <gable/engine/io/building_plan.h>
 #include <gable/engine/reconstruct/building_fit.h>
-#include <gable/grammar/polygon_cells.h>
-#include <gable/grammar/rasterise.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +19,11 @@ std::vector<double> model_heights(const HeightImage& image, const Building& buil
   grid.rows = image.rows;
   grid.cols = image.cols;
   grid.north_west = image.first_center + 0.5 * image.gsd * Eigen::Vector2d(-1.0, 1.0);
-  if (building.house) {
-    House house = *building.house;
-    house.origin.setZero();
-    for_covered_cells(house, grid, [&](int row, int col, double height) {
-      heights[image.index(row, col)] = height;
-    });
-  } else {
-    for_cells_in_polygon(building.outline, Eigen::Vector2d::Zero(), grid, [&](int row, int col) {
-      heights[image.index(row, col)] = building.height;
-    });
-  }
+  Building here = building;
+  (here.house ? here.house->origin : here.origin).setZero();
+  for_building_cells(here, grid, [&](int row, int col, double height) {
+    heights[image.index(row, col)] = height;
+  });
   return heights;
 }
 

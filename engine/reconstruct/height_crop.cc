@@ -45,6 +45,7 @@ std::string check(const HeightCropOptions& options) {
   if (!(options.neighbour >= 0.0 && options.neighbour <= 1.0)) {
     return "neighbour must lie in [0, 1]";
   }
+  if (!(options.outside >= 0.0 && options.outside <= 1.0)) return "outside must lie in [0, 1]";
   return "";
 }
 
@@ -93,7 +94,8 @@ HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const
         weight = std::min(weight, static_cast<float>(options.neighbour));
       } else if (outline_known && !own) {
         height = ground;
-        weight = role == CellRole::kNeighbour ? static_cast<float>(options.neighbour) : 1.0f;
+        weight =
+            static_cast<float>(role == CellRole::kNeighbour ? options.neighbour : options.outside);
       }
       image.height.push_back(height);
       image.ground.push_back(ground);

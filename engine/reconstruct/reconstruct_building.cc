@@ -3,12 +3,15 @@
 #include <gable/engine/reconstruct/mask_outline.h>
 #include <gable/engine/reconstruct/penalised_cost.h>
 #include <gable/engine/reconstruct/reconstruct_building.h>
+#include <gable/engine/scales/outline/ring_simplification.h>
+#include <gable/grammar/outline_margins.h>
 #include <glog/logging.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -20,6 +23,10 @@ constexpr double kUnknownHeight = 3.0;
 
 // Solids are never flatter than this, metres.
 constexpr double kLeastHeight = 0.5;
+
+// How far a known outline's corners may lie from its walls, metres: they are drawn from pictures of
+// 10 to 25 cm.
+constexpr double kWallTolerance = 0.25;
 
 class Stopwatch {
  public:
@@ -68,6 +75,25 @@ Building extrusion_of(const std::string& id, const HeightImage& image, PlanPolyg
   set_fit(fit_of_building(image, building), &building);
   building.height = std::max(building.height, building.base + kLeastHeight);
   return building;
+}
+
+/// A known outline without corners that no wall has, filled as far as is nearest to the heights.
+KnownOutline walls_of(const PlanPolygon& outline, const HeightImage& image, Building house) {
+  std::vector<Ring> rings = outline.holes;
+  rings.insert(rings.begin(), outline.outer);
+  rings = simplified(rings, kWallTolerance);
+  if (rings.empty()) return {};
+  KnownOutline best;
+  double least = std::numeric_limits<double>::infinity();
+  house.walls.polygon = {rings.front(), {rings.begin() + 1, rings.end()}};
+  for (const double reach : kOutlineMargins) {
+    house.walls.reach = reach;
+    const double charge = fit_of_building(image, house).charge;
+    if (charge >= least) continue;
+    least = charge;
+    best = house.walls;
+  }
+  return best;
 }
 
 /// Why the solids of a house cannot be used, or "".
@@ -142,6 +168,7 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   house.building.id = id;
   house.building.house = choice.best.house;
   house.building.deviations = choice.summary.deviations;
+  if (outline) house.building.walls = walls_of(*outline, image, house.building);
   const BuildingFit fit = fit_of_building(image, house.building);
   set_fit(fit, &house.building);
   if (fit.charge > flat.charge + options.extrusion_margin) {
@@ -150,6 +177,11 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
                           metres(flat.charge));
   }
   house.model = build_model(house.building);
+  if (outline && !defect_of(house.model).empty()) {
+    house.building.walls = {};
+    set_fit(fit_of_building(image, house.building), &house.building);
+    house.model = build_model(house.building);
+  }
   if (const std::string defect = defect_of(house.model); !defect.empty()) {
     return give_extrusion(defect);
   }

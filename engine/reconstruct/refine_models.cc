@@ -1,9 +1,9 @@
 #include <gable/engine/io/build_model.h>
+#include <gable/engine/io/building_plan.h>
 #include <gable/engine/reconstruct/fill.h>
 #include <gable/engine/reconstruct/ordered_pool.h>
 #include <gable/engine/reconstruct/refine_models.h>
 #include <gable/engine/reconstruct/tile_windows.h>
-#include <gable/grammar/plan_outline.h>
 #include <gable/grammar/polygon_cells.h>
 #include <glog/logging.h>
 
@@ -21,9 +21,8 @@ struct Outline {
 
 Outline outline_of(const Building& building, const Grid& grid) {
   Outline outline;
-  outline.origin = (building.house ? building.house->origin : building.origin).head<2>();
-  outline.polygons =
-      building.house ? plan_outline(*building.house) : std::vector<PlanPolygon>{building.outline};
+  outline.origin = origin_of(building).head<2>();
+  outline.polygons = plan_of(building);
   Eigen::AlignedBox2d extent(outline.origin);
   for (const PlanPolygon& polygon : outline.polygons) {
     for (const Eigen::Vector2d& p : polygon.outer) extent.extend(outline.origin + p);

@@ -5,9 +5,9 @@
 #include <gable/engine/evaluate/evaluation_report.h>
 #include <gable/engine/evaluate/triangles.h>
 #include <gable/engine/io/build_model.h>
+#include <gable/engine/io/building_plan.h>
 #include <gable/engine/io/footprint_file.h>
 #include <gable/engine/io/raster_file.h>
-#include <gable/grammar/plan_outline.h>
 #include <gable/grammar/polygon_cells.h>
 
 #include <algorithm>
@@ -42,10 +42,9 @@ struct Extent {
 
   void add(const std::vector<Building>& buildings) {
     for (const Building& building : buildings) {
-      const Eigen::Vector3d& origin = building.house ? building.house->origin : building.origin;
-      const auto polygons = building.house ? plan_outline(*building.house)
-                                           : std::vector<PlanPolygon>{building.outline};
-      for (const PlanPolygon& polygon : polygons) add(polygon, origin.head<2>());
+      for (const PlanPolygon& polygon : plan_of(building)) {
+        add(polygon, origin_of(building).head<2>());
+      }
     }
   }
 };

@@ -1,4 +1,5 @@
 #include <gable/grammar/random.h>
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/extrusion.h>
 #include <gable/grammar/solid/part_solids.h>
 #include <gable/grammar/solid/plan_cells.h>
@@ -11,8 +12,6 @@
 
 namespace gable {
 namespace {
-
-using Ring = std::vector<Eigen::Vector2d>;
 
 constexpr int kNumAttempts = 12;
 constexpr double kLeastVolume = 1e-3;
@@ -47,6 +46,12 @@ Ring moved(const Ring& ring, double spacing, double amplitude, Random* random) {
 }
 
 }  // namespace
+
+bool polygon_holds(const PlanPolygon& polygon, const Eigen::Vector2d& point) {
+  bool inside = ring_holds(polygon.outer, point);
+  for (const Ring& hole : polygon.holes) inside ^= ring_holds(hole, point);
+  return inside;
+}
 
 Solid extrude(const PlanPolygon& polygon, double base, double top) {
   const std::vector<Ring> rings = finite_rings(polygon);

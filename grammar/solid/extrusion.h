@@ -14,6 +14,9 @@ struct PlanPolygon {
   std::vector<std::vector<Eigen::Vector2d>> holes;
 };
 
+/// Whether a point lies inside a polygon and outside its holes: even-odd over all rings.
+bool polygon_holds(const PlanPolygon& polygon, const Eigen::Vector2d& point);
+
 /// The prism over a polygon between the heights `base` and `top` (base < top): the LoD 1.2 solid of
 /// a building outside the grammar. Rings may repeat points, touch or cross themselves and each
 /// other: the inside is counted even-odd, vertices are moved by up to 5 cm where the prism would

@@ -4,6 +4,7 @@
 #include <gable/grammar/solid/part_solids.h>
 #include <gable/grammar/solid/plan_cells.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -66,23 +67,31 @@ Shake shake_of_attempt(int attempt) {
   return shake;
 }
 
+// outline: house frame, or null.
 std::optional<std::vector<Solid>> build_part(const BlockAlignment& alignment,
-                                             const PartBlocks& part, double base) {
+                                             const std::vector<BlockSource>& sources,
+                                             const PartBlocks& part, double base,
+                                             const KnownOutline* outline) {
   const std::vector<Block<double>> still = alignment.blocks();
   for (int attempt = 0; attempt < kNumAttempts; ++attempt) {
     const std::vector<Block<double>> moved = alignment.blocks(shake_of_attempt(attempt));
     // What stands below has been built where it is: prefer to leave it there.
     const bool move_below = attempt > kNumAttempts / 2;
-    std::vector<Block<double>> own, below;
-    for (int i = 0; i < part.end; ++i) {
+    std::vector<PartBlock> own, below;
+    std::optional<OutlineCover> cover;
+    if (outline) cover.emplace(OutlineCover{*outline, {}});
+    for (int i = 0; i < static_cast<int>(sources.size()); ++i) {
       if (!alignment.has_area(i)) continue;
-      if (i >= part.begin) {
-        own.push_back(moved[i]);
-      } else {
-        below.push_back(move_below ? moved[i] : still[i]);
-      }
+      const bool ground = !stands_on_roof(sources[i].role);
+      const bool mine = i >= part.begin && i < part.end;
+      const Block<double>& block = mine || move_below ? moved[i] : still[i];
+      if (cover && ground) cover->ground_blocks.push_back(block);
+      if (i < part.end) (mine ? own : below).push_back({block, ground});
     }
-    if (std::optional<std::vector<Solid>> solids = solids_above(own, below, base)) return solids;
+    if (std::optional<std::vector<Solid>> solids =
+            solids_above(own, below, base, cover ? &*cover : nullptr)) {
+      return solids;
+    }
   }
   return std::nullopt;
 }
@@ -127,6 +136,15 @@ void turn_to_local(double azimuth, Solid* solid) {
   }
 }
 
+PlanPolygon turned_to_house(PlanPolygon polygon, double azimuth) {
+  const Eigen::Rotation2Dd house_from_local(-azimuth);
+  for (Eigen::Vector2d& p : polygon.outer) p = house_from_local * p;
+  for (auto& hole : polygon.holes) {
+    for (Eigen::Vector2d& p : hole) p = house_from_local * p;
+  }
+  return polygon;
+}
+
 std::vector<PartBlocks> parts_of(const std::vector<BlockSource>& sources, Lod lod) {
   std::vector<PartBlocks> parts;
   const int n = static_cast<int>(sources.size());
@@ -144,7 +162,8 @@ std::vector<PartBlocks> parts_of(const std::vector<BlockSource>& sources, Lod lo
 
 }  // namespace
 
-HouseSolids build_house_solids(const House& house, Lod lod, double base) {
+HouseSolids build_house_solids(const House& house, Lod lod, double base,
+                               const KnownOutline& outline) {
   HouseSolids result;
   if (!is_well_formed(house)) {
     result.dropped.push_back("house: not a derivation of the grammar");
@@ -161,13 +180,16 @@ HouseSolids build_house_solids(const House& house, Lod lod, double base) {
     for (Block<double>& block : blocks) flatten(&block);
   }
   const BlockAlignment alignment(blocks, base);
-  for (const PartBlocks& part : parts_of(block_sources(house), lod)) {
-    std::optional<std::vector<Solid>> solids = build_part(alignment, part, base);
+  const KnownOutline turned{turned_to_house(outline.polygon, house.azimuth[0]), outline.reach};
+  const KnownOutline* cover = outline.empty() ? nullptr : &turned;
+  const std::vector<BlockSource> sources = block_sources(house);
+  for (const PartBlocks& part : parts_of(sources, lod)) {
+    std::optional<std::vector<Solid>> solids = build_part(alignment, sources, part, base, cover);
     const std::string title = rule_title(part.role, part.index);
     if (!solids && part.role == PartRole::kMain) {
       result.dropped.push_back(title + ": no valid solid, built with flat tops");
       for (int i = part.begin; i < part.end; ++i) flatten(&blocks[i]);
-      solids = build_part(BlockAlignment(blocks, base), part, base);
+      solids = build_part(BlockAlignment(blocks, base), sources, part, base, cover);
     }
     if (!solids) {
       result.dropped.push_back(title + ": no valid solid");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/grammar/house.h>
+#include <gable/grammar/known_outline.h>
 #include <gable/grammar/solid/solid.h>
 
 #include <string>
@@ -45,6 +46,11 @@ struct HouseSolids {
 /// part would still not be valid, its blocks are moved by millimetres, at most 2.6 cm, until it is;
 /// main roofs that resist get flat tops and a line in `dropped`. Every solid passes check_solid,
 /// before and after rounding its vertices to 0.1 mm. Deterministic.
-HouseSolids build_house_solids(const House& house, Lod lod, double base);
+///
+/// `outline`: a known outline that the house fills (OutlinedHouse), local frame; empty: none.
+/// Solids without it are valid more surely: an outline may touch the blocks in features too fine to
+/// build.
+HouseSolids build_house_solids(const House& house, Lod lod, double base,
+                               const KnownOutline& outline = {});
 
 }  // namespace gable

@@ -1,9 +1,11 @@
+#include <gable/grammar/outline_margins.h>
 #include <gable/grammar/solid/part_solids.h>
 #include <gable/grammar/solid/plan_bodies.h>
 #include <gable/grammar/solid/roof_facets.h>
 #include <gable/grammar/solid/surface_mesh.h>
 #include <gable/grammar/solid/validity.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,18 +23,63 @@ bool valid_when_rounded(const Solid& solid) {
   return check_solid(rounded).valid();
 }
 
+Eigen::AlignedBox2d rectangle_of(const Block<double>& block) {
+  using namespace block_value;
+  return {Eigen::Vector2d(block[kX0], block[kY0]), Eigen::Vector2d(block[kX1], block[kY1])};
+}
+
+// A block with its facets over all that it may cover.
+struct ReachingBlock {
+  FacetedBlock facets;
+  PartBlock part;
+
+  bool covers(double margin, const Eigen::Vector2d& p) const {
+    return reaches(part.block, part.on_ground ? margin : 0.0, p);
+  }
+};
+
+std::vector<ReachingBlock> reaching(const std::vector<PartBlock>& blocks, double margin,
+                                    PlaneSet* planes) {
+  std::vector<ReachingBlock> out;
+  for (const PartBlock& b : blocks) {
+    out.push_back({facet_block(b.block, planes, b.on_ground ? margin : 0.0), b});
+  }
+  return out;
+}
+
 // The plane of the envelope of `blocks` at a point, or `otherwise`.
-int envelope_plane(const std::vector<FacetedBlock>& blocks, const Eigen::Vector2d& p,
-                   const std::vector<Plane>& planes, int otherwise) {
+int envelope_plane(const std::vector<ReachingBlock>& blocks, double margin,
+                   const Eigen::Vector2d& p, const std::vector<Plane>& planes, int otherwise) {
   int best = otherwise;
   bool covered = false;
-  for (const FacetedBlock& block : blocks) {
-    if (!block.contains(p)) continue;
-    const int plane = block.plane_at(p, planes);
+  for (const ReachingBlock& block : blocks) {
+    if (!block.covers(margin, p)) continue;
+    const int plane = block.facets.plane_at(p, planes);
     if (!covered || planes[plane].at(p) > planes[best].at(p)) best = plane;
     covered = true;
   }
   return best;
+}
+
+void add_ring(const std::vector<Eigen::Vector2d>& ring, std::vector<PlanSegment>* segments) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
+  }
+}
+
+// Where what covers the plan can change with an outline: the outline, and the blocks' rectangles
+// with every margin.
+void add_cover(const OutlineCover& cover, std::vector<PlanSegment>* segments) {
+  using namespace block_value;
+  add_ring(cover.outline.polygon.outer, segments);
+  for (const auto& hole : cover.outline.polygon.holes) add_ring(hole, segments);
+  for (const double m : kOutlineMargins) {
+    if (m > cover.outline.reach) break;
+    for (const Block<double>& b : cover.ground_blocks) {
+      const double x0 = b[kX0] - m, x1 = b[kX1] + m, y0 = b[kY0] - m, y1 = b[kY1] + m;
+      add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, segments);
+    }
+  }
 }
 
 }  // namespace
@@ -55,41 +102,57 @@ std::optional<std::vector<Solid>> solids_over_plan(const std::vector<PlanSegment
   return solids;
 }
 
-std::optional<std::vector<Solid>> solids_above(const std::vector<Block<double>>& own,
-                                               const std::vector<Block<double>>& below,
-                                               double base) {
-  using namespace block_value;
+std::optional<std::vector<Solid>> solids_above(const std::vector<PartBlock>& own,
+                                               const std::vector<PartBlock>& below, double base,
+                                               const OutlineCover* cover) {
   if (own.empty()) return std::vector<Solid>{};
-  Eigen::Vector2d low(own[0][kX0], own[0][kY0]), high(own[0][kX1], own[0][kY1]);
-  for (const Block<double>& block : own) {
-    low = low.cwiseMin(Eigen::Vector2d(block[kX0], block[kY0]));
-    high = high.cwiseMax(Eigen::Vector2d(block[kX1], block[kY1]));
+  const double reach = cover ? cover->outline.reach : 0.0;
+  const auto reach_of = [&](const PartBlock& b) { return b.on_ground ? reach : 0.0; };
+  Eigen::AlignedBox2d region;
+  for (const PartBlock& b : own) {
+    const Eigen::AlignedBox2d box = rectangle_of(b.block);
+    const Eigen::Vector2d margin = Eigen::Vector2d::Constant(reach_of(b));
+    region.extend(Eigen::AlignedBox2d(box.min() - margin, box.max() + margin));
   }
-  PlaneSet plane_set(low, high);
+  std::vector<PartBlock> near;
+  for (const PartBlock& b : below) {
+    const Eigen::AlignedBox2d box = rectangle_of(b.block);
+    const bool apart = ((box.min().array() - reach_of(b)) >= region.max().array()).any() ||
+                       ((box.max().array() + reach_of(b)) <= region.min().array()).any();
+    if (!apart) near.push_back(b);
+  }
+  PlaneSet plane_set(region.min(), region.max());
   const int ground = plane_set.number_of({0.0, 0.0, base});
-  std::vector<FacetedBlock> upper, lower;
-  for (const Block<double>& block : own) upper.push_back(facet_block(block, &plane_set));
-  for (const Block<double>& block : below) {
-    const bool apart = block[kX0] >= high.x() || block[kX1] <= low.x() || block[kY0] >= high.y() ||
-                       block[kY1] <= low.y();
-    if (!apart) lower.push_back(facet_block(block, &plane_set));
-  }
+  const std::vector<ReachingBlock> upper = reaching(own, reach, &plane_set);
+  const std::vector<ReachingBlock> lower = reaching(near, reach, &plane_set);
   std::vector<const FacetedBlock*> all;
-  for (const FacetedBlock& block : upper) all.push_back(&block);
-  for (const FacetedBlock& block : lower) all.push_back(&block);
+  for (const ReachingBlock& block : upper) all.push_back(&block.facets);
+  for (const ReachingBlock& block : lower) all.push_back(&block.facets);
 
   const std::vector<Plane>& planes = plane_set.planes();
   const auto label = [&](const Eigen::Vector2d& p) {
     CellLabel cell;
-    const int top = envelope_plane(upper, p, planes, -1);
+    double margin = 0.0;
+    if (cover) {
+      if (!polygon_holds(cover->outline.polygon, p)) return cell;
+      margin = outline_margin_at(cover->ground_blocks, cover->outline.reach, p);
+      if (margin < 0.0) return cell;
+    }
+    const int top = envelope_plane(upper, margin, p, planes, -1);
     if (top < 0) return cell;
-    const int bottom = envelope_plane(lower, p, planes, ground);
+    const int bottom = envelope_plane(lower, margin, p, planes, ground);
     if (top == bottom || planes[top].at(p) <= planes[bottom].at(p)) return cell;
     cell.upper = top;
     cell.lower = bottom;
     return cell;
   };
-  return solids_over_plan(envelope_segments(all, planes, low, high), label, planes, kLeastVolume);
+  std::vector<PlanSegment> segments;
+  // Rectangles and outlines first: where points are merged, the earliest one stays.
+  if (cover) add_cover(*cover, &segments);
+  for (const PlanSegment& segment : envelope_segments(all, planes, region.min(), region.max())) {
+    segments.push_back(segment);
+  }
+  return solids_over_plan(segments, label, planes, kLeastVolume);
 }
 
 }  // namespace gable

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/grammar/block.h>
+#include <gable/grammar/known_outline.h>
 #include <gable/grammar/solid/plan_graph.h>
 #include <gable/grammar/solid/solid.h>
 
@@ -17,10 +18,26 @@ std::optional<std::vector<Solid>> solids_over_plan(const std::vector<PlanSegment
                                                    const std::vector<Plane>& planes,
                                                    double least_volume);
 
+/// A known outline that a house fills, house frame, and all blocks of the house that stand on the
+/// ground, which share it out among them (outline_margins.h).
+struct OutlineCover {
+  KnownOutline outline;
+  std::vector<Block<double>> ground_blocks;
+};
+
+/// A block of a part, and whether it stands on the ground or on a roof.
+struct PartBlock {
+  Block<double> block;
+  bool on_ground = true;
+};
+
 /// What the blocks `own` show above the upper envelope of the blocks `below`, or above the height
 /// `base` where none of those stands. House frame. See solids_over_plan.
-std::optional<std::vector<Solid>> solids_above(const std::vector<Block<double>>& own,
-                                               const std::vector<Block<double>>& below,
-                                               double base);
+///
+/// With a `cover` only what lies inside its outline, and blocks on the ground reach beyond their
+/// rectangles as outline_margins.h says.
+std::optional<std::vector<Solid>> solids_above(const std::vector<PartBlock>& own,
+                                               const std::vector<PartBlock>& below, double base,
+                                               const OutlineCover* cover = nullptr);
 
 }  // namespace gable

@@ -83,11 +83,11 @@ int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& p
   return lowest;
 }
 
-FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes) {
+FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double margin) {
   using namespace block_value;
   FacetedBlock faceted;
-  faceted.low = {block[kX0], block[kY0]};
-  faceted.high = {block[kX1], block[kY1]};
+  faceted.low = {block[kX0] - margin, block[kY0] - margin};
+  faceted.high = {block[kX1] + margin, block[kY1] + margin};
   std::vector<Plane> roof;
   if (block.flat) {
     roof.push_back({0.0, 0.0, block[kEaves]});

@@ -27,8 +27,9 @@ struct FacetedBlock {
   int plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& planes) const;
 };
 
-/// Facets of a block's roof, its planes numbered by `planes`.
-FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes);
+/// Facets of a block's roof, its planes numbered by `planes`, over its rectangle enlarged by
+/// `margin` metres on every side.
+FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double margin = 0.0);
 
 /// Every line in the plan along which the upper envelope of `blocks` can change its plane: the
 /// facets' outlines and the lines where two facets of different blocks meet, cut to the rectangle

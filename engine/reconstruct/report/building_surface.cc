@@ -1,55 +1,33 @@
+#include <gable/engine/io/building_plan.h>
 #include <gable/engine/reconstruct/report/building_surface.h>
 
-#include <vector>
-
 namespace gable {
-namespace {
-
-const Eigen::Vector3d& origin_of(const Building& building) {
-  return building.house ? building.house->origin : building.origin;
-}
-
-// Number of edges of a ring that a ray from the point towards +x crosses.
-int crossings(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& point) {
-  int count = 0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d& a = ring[i];
-    const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
-    if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-    const double x = a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
-    count += point.x() < x;
-  }
-  return count;
-}
-
-}  // namespace
-
-bool contains(const PlanPolygon& polygon, const Eigen::Vector2d& point) {
-  int count = crossings(polygon.outer, point);
-  for (const auto& hole : polygon.holes) count += crossings(hole, point);
-  return count % 2 == 1;
-}
-
 BuildingSurface::BuildingSurface(const Building& building, const Eigen::Vector3d& origin)
     : building_(building),
       offset_((origin_of(building) - origin).head<2>()),
       offset_z_(origin_of(building).z() - origin.z()) {
-  if (building.house) field_.emplace(*building.house);
+  if (building.house) house_.emplace(*building.house, building.walls);
 }
 
 double BuildingSurface::height(const Eigen::Vector2d& point, double support, double ground) const {
   const Eigen::Vector2d local = point - offset_;
-  if (field_) return field_->at_local(local, support, ground - offset_z_) + offset_z_;
-  return contains(building_.outline, local) ? building_.height + offset_z_ : ground;
+  if (house_ && !house_->has_outline()) {
+    return house_->field().at_local(local, support, ground - offset_z_) + offset_z_;
+  }
+  if (house_) {
+    const auto seen = house_->at_local(local);
+    return seen ? seen->height + offset_z_ : ground;
+  }
+  return polygon_holds(building_.outline, local) ? building_.height + offset_z_ : ground;
 }
 
 SurfacePart BuildingSurface::part(const Eigen::Vector2d& point) const {
   const Eigen::Vector2d local = point - offset_;
   SurfacePart part;
-  if (field_) {
-    part.block = field_->block_at_house(field_->house_from_local(local));
-    if (part.block >= 0) part.role = field_->sources()[part.block].role;
-  } else if (contains(building_.outline, local)) {
+  if (house_) {
+    const auto seen = house_->at_local(local);
+    if (seen) part = {seen->block, house_->field().sources()[seen->block].role};
+  } else if (polygon_holds(building_.outline, local)) {
     part.block = 0;
   }
   return part;

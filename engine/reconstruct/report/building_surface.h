@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gable/engine/io/building.h>
-#include <gable/grammar/height_field.h>
+#include <gable/grammar/outlined_house.h>
 
 #include <Eigen/Core>
 #include <optional>
@@ -21,24 +21,21 @@ class BuildingSurface {
   BuildingSurface(const Building& building, const Eigen::Vector3d& origin);
 
   /// Height above origin.z() at a point, averaged over a support (metres), over a terrain of height
-  /// `ground` above origin.z(). Extrusions are sampled at the point.
+  /// `ground` above origin.z(). What has a known outline is sampled at the point.
   double height(const Eigen::Vector2d& point, double support, double ground) const;
 
   SurfacePart part(const Eigen::Vector2d& point) const;
 
   /// The house's height field; nullptr for an extrusion. Its local frame is this one less
   /// `offset()`.
-  const HeightField* field() const { return field_ ? &*field_ : nullptr; }
+  const HeightField* field() const { return house_ ? &house_->field() : nullptr; }
   const Eigen::Vector2d& offset() const { return offset_; }
 
  private:
   const Building& building_;
-  std::optional<HeightField> field_;
+  std::optional<OutlinedHouse> house_;
   Eigen::Vector2d offset_;  ///< the building's origin in the image's local frame
   double offset_z_;
 };
-
-/// Whether a point lies inside a polygon and outside its holes (even-odd rule).
-bool contains(const PlanPolygon& polygon, const Eigen::Vector2d& point);
 
 }  // namespace gable
