@@ -69,10 +69,11 @@ double data_term(const PenalisedCost& cost) {
 }
 
 std::string first_values_line(const HouseChoice& choice) {
-  if (choice.hypotheses == 0) return "  first values: none, so no house was fitted\n";
-  return "  first values: " + std::to_string(choice.hypotheses - choice.detected_hypotheses) +
-         " from the classical search, " + std::to_string(choice.detected_hypotheses) +
-         " from the detectors\n";
+  if (choice.first_values.empty()) return "  first values: none, so no house was fitted\n";
+  return "  first values: " + std::to_string(choice.num_from(ValueSource::kClassical)) +
+         " from the classical search, " + std::to_string(choice.num_from(ValueSource::kDetectors)) +
+         " from the detectors, " + std::to_string(choice.num_from(ValueSource::kScales)) +
+         " from the structural scales\n";
 }
 
 std::string probabilities_line(const HouseChoice& choice) {

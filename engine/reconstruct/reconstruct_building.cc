@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <utility>
 
 namespace gable {
@@ -132,9 +131,13 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   }
   HouseChoiceOptions choice_options = options.choice;
   choice_options.outline_known = outline != nullptr;
-  std::optional<DetectedValues> detected;
-  if (detect) detected = detect(image);
-  extrusion.choice = choose_house(image, choice_options, detected ? &*detected : nullptr);
+  FirstValues values;
+  if (detect) {
+    DetectedValues detected = detect(image);
+    values.foundation = detected.foundation;
+    values.houses = std::move(detected.houses);
+  }
+  extrusion.choice = choose_house(image, choice_options, values);
   const HouseChoice& choice = extrusion.choice;
   if (!choice.found) return give_extrusion("no house of the grammar explains the heights");
 

@@ -2,6 +2,7 @@
 
 #include <gable/engine/io/building.h>
 #include <gable/engine/io/building_model.h>
+#include <gable/engine/reconstruct/detected_values.h>
 #include <gable/engine/reconstruct/house_choice.h>
 #include <gable/engine/solver/house_refinement.h>
 #include <gable/residuals/height_image.h>
@@ -35,7 +36,7 @@ struct ReconstructedBuilding {
 /// solid can be made of the house; then that extrusion, with the reason. Both are measured over the
 /// inside pixels, a miss counting as terrain, with what they cover beyond them added. `outline` is
 /// the known outline in the image's local frame, or null: then it is traced from the inside pixels.
-/// `detect` is a second source of first values, or empty. Always returns a building.
+/// `detect` asks the detectors for first values; it may be empty. Always returns a building.
 ReconstructedBuilding reconstruct_building(const std::string& id, const HeightImage& image,
                                            const PlanPolygon* outline,
                                            const BuildingOptions& options,
