@@ -1,6 +1,7 @@
 #include <gable/engine/evaluate/model_surface.h>
 #include <gable/grammar/polygon_cells.h>
 #include <gable/grammar/rasterise.h>
+#include <gable/grammar/roof_cells.h>
 
 #include <limits>
 
@@ -22,6 +23,8 @@ ModelSurface rasterise_buildings(const std::vector<Building>& buildings, const G
     };
     if (building.house) {
       for_covered_cells(*building.house, grid, raise);
+    } else if (building.roof) {
+      for_cells_of_roof(*building.roof, building.origin.head<2>(), grid, raise);
     } else {
       for_cells_in_polygon(building.outline, building.origin.head<2>(), grid,
                            [&](int row, int col) { raise(row, col, building.height); });

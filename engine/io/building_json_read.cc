@@ -142,6 +142,30 @@ void read_house(const Reader& reader, const Json& derivation, Foundation foundat
   building->house = std::move(house);
 }
 
+RoofPartition read_roof(const Reader& reader, const Json& json) {
+  RoofPartition roof;
+  for (const Json& plane : reader.list(reader.member(json, "planes"), "planes")) {
+    const Eigen::Vector3d values = reader.point(plane, "a plane");
+    roof.planes.push_back({values.x(), values.y(), values.z()});
+  }
+  for (const Json& entry : reader.list(reader.member(json, "regions"), "regions")) {
+    const Json& plane = reader.member(entry, "plane");
+    RoofRegion region;
+    region.plane = plane.is_number_unsigned() && plane.get<size_t>() < roof.planes.size()
+                       ? plane.get<int>()
+                       : -1;
+    if (region.plane < 0) reader.fail("a region of the roof has none of its planes");
+    region.polygon.outer = reader.ring(reader.member(entry, "outer"));
+    if (entry.contains("holes")) {
+      for (const Json& hole : reader.list(entry["holes"], "the holes of a region")) {
+        region.polygon.holes.push_back(reader.ring(hole));
+      }
+    }
+    roof.regions.push_back(std::move(region));
+  }
+  return roof;
+}
+
 double optional_number(const Reader& reader, const Json& attributes, const char* key,
                        double missing) {
   return attributes.contains(key) ? reader.number(attributes[key], key) : missing;
@@ -184,6 +208,10 @@ Building building_from_attributes(const std::string& id, const Json& attributes,
     for (const Json& hole : reader.list(outline["holes"], "the holes of the outline")) {
       building.outline.holes.push_back(reader.ring(hole));
     }
+  }
+  if (derivation.contains("roof")) {
+    building.status = BuildingStatus::kPlanes;
+    building.roof = read_roof(reader, derivation["roof"]);
   }
   return building;
 }

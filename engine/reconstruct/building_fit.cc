@@ -1,6 +1,7 @@
 #include <gable/engine/reconstruct/building_fit.h>
 #include <gable/grammar/polygon_cells.h>
 #include <gable/grammar/rasterise.h>
+#include <gable/grammar/roof_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,10 @@ std::vector<double> model_heights(const HeightImage& image, const Building& buil
     for_covered_cells(house, grid, [&](int row, int col, double height) {
       heights[image.index(row, col)] = height;
     });
+  } else if (building.roof) {
+    for_cells_of_roof(
+        *building.roof, Eigen::Vector2d::Zero(), grid,
+        [&](int row, int col, double height) { heights[image.index(row, col)] = height; });
   } else {
     for_cells_in_polygon(building.outline, Eigen::Vector2d::Zero(), grid, [&](int row, int col) {
       heights[image.index(row, col)] = building.height;

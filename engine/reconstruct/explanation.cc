@@ -156,9 +156,14 @@ std::string afterwards_line(const Candidate& winner, const Candidate& best) {
 std::string outcome_line(const Building& building) {
   const bool house = building.status == BuildingStatus::kGrammar && building.house;
   std::string line = "  outcome: ";
-  line += house ? "a house of the grammar, foundation " +
-                      std::string(foundation_name(building.house->foundation))
-                : std::string("its outline extruded to one height");
+  if (house) {
+    line += "a house of the grammar, foundation " +
+            std::string(foundation_name(building.house->foundation));
+  } else if (building.roof) {
+    line += counted(building.roof->planes.size(), "plane") + " closed over its outline";
+  } else {
+    line += "its outline extruded to one height";
+  }
   line += ", MAD " + decimals(building.quality.mad, 3) + " m";
   if (!building.reason.empty()) line += (house ? "; but " : ", because ") + building.reason;
   return line + "\n";

@@ -17,13 +17,6 @@ bool holds(const PlanPolygon& polygon, const Eigen::Vector2d& p) {
   return inside;
 }
 
-int region_at(const RoofPartition& partition, const Eigen::Vector2d& p) {
-  for (size_t i = 0; i < partition.regions.size(); ++i) {
-    if (holds(partition.regions[i].polygon, p)) return static_cast<int>(i);
-  }
-  return -1;
-}
-
 void append_ring(const Ring& ring, std::vector<PlanSegment>* segments) {
   for (size_t i = 0; i < ring.size(); ++i) {
     segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
@@ -88,6 +81,13 @@ std::optional<std::vector<Solid>> solids_of_partition(const RoofPartition& parti
     return region < 0 ? CellLabel{} : CellLabel{partition.regions[region].plane + 1, 0};
   };
   return solids_over_plan(segments, label, planes, kLeastVolume);
+}
+
+int region_at(const RoofPartition& partition, const Eigen::Vector2d& p) {
+  for (size_t i = 0; i < partition.regions.size(); ++i) {
+    if (holds(partition.regions[i].polygon, p)) return static_cast<int>(i);
+  }
+  return -1;
 }
 
 double roof_height(const RoofPartition& partition, const Eigen::Vector2d& p) {

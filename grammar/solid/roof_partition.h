@@ -36,6 +36,9 @@ std::optional<RoofPartition> partition_plan(
 /// less than a millimetre above `base` in its region.
 std::optional<std::vector<Solid>> solids_of_partition(const RoofPartition& partition, double base);
 
+/// The region that holds a place of the plan, -1 outside all of them.
+int region_at(const RoofPartition& partition, const Eigen::Vector2d& p);
+
 /// Height of the roof over a place of the plan; not a number outside the regions.
 double roof_height(const RoofPartition& partition, const Eigen::Vector2d& p);
 

@@ -40,6 +40,11 @@ BuildingSurface::BuildingSurface(const Building& building, const Eigen::Vector3d
 double BuildingSurface::height(const Eigen::Vector2d& point, double support, double ground) const {
   const Eigen::Vector2d local = point - offset_;
   if (field_) return field_->at_local(local, support, ground - offset_z_) + offset_z_;
+  if (building_.roof) {
+    const int region = region_at(*building_.roof, local);
+    if (region < 0) return ground;
+    return building_.roof->planes[building_.roof->regions[region].plane].at(local) + offset_z_;
+  }
   return contains(building_.outline, local) ? building_.height + offset_z_ : ground;
 }
 
@@ -49,6 +54,8 @@ SurfacePart BuildingSurface::part(const Eigen::Vector2d& point) const {
   if (field_) {
     part.block = field_->block_at_house(field_->house_from_local(local));
     if (part.block >= 0) part.role = field_->sources()[part.block].role;
+  } else if (building_.roof) {
+    part.block = region_at(*building_.roof, local);
   } else if (contains(building_.outline, local)) {
     part.block = 0;
   }
