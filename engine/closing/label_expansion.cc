@@ -67,6 +67,20 @@ double expand_allowed(const LabelProblem& problem, const std::vector<uint8_t>& a
   return cost;
 }
 
+/// Labels that the sites of `gone` get in `next`, and those of the sites beside them.
+std::vector<uint8_t> labels_around(const LabelProblem& problem, const std::vector<int>& labels,
+                                   int gone, const std::vector<int>& next) {
+  std::vector<uint8_t> around(problem.num_labels, 0);
+  for (size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] == gone) around[next[i]] = 1;
+  }
+  for (const LabelPair& pair : problem.pairs) {
+    if (labels[pair.a] == gone) around[next[pair.b]] = 1;
+    if (labels[pair.b] == gone) around[next[pair.a]] = 1;
+  }
+  return around;
+}
+
 /// The labels with every site of `gone` at its next best allowed label.
 std::vector<int> without(const LabelProblem& problem, const std::vector<uint8_t>& allowed, int gone,
                          std::vector<int> labels) {
@@ -125,7 +139,8 @@ double expand_labels(const LabelProblem& problem, std::vector<int>* labels) {
       std::vector<uint8_t> fewer = allowed;
       fewer[gone] = 0;
       std::vector<int> next = without(problem, fewer, gone, *labels);
-      const double next_cost = expand_allowed(problem, fewer, &next);
+      const double next_cost =
+          expand_allowed(problem, labels_around(problem, *labels, gone, next), &next);
       if (!falls(next_cost, cost)) continue;
       *labels = std::move(next);
       cost = next_cost;

@@ -74,14 +74,13 @@ TEST(ClosePlanes, HipRoofMeetsAtTheEndsOfItsRidge) {
 
 TEST(ClosePlanes, LShapeHasAValley) {
   const PlanPolygon outline{{{0, 0}, {16, 0}, {16, 8}, {8, 8}, {8, 16}, {0, 16}}, {}};
-  // Two gables of one height: ridges at y = 4 and x = 4, valley and ridge along the diagonal.
+  // Two wings of one height: ridges along y = 4 and x = 4, a hip to the outer corner and a valley
+  // from the inner one.
   const std::vector<Plane> planes = {{0, 0.5, 3}, {0, -0.5, 7}, {0.5, 0, 3}, {-0.5, 0, 7}};
-  const auto height = [](const Eigen::Vector2d& p) {
-    const double main = std::min(3 + 0.5 * p.y(), 7 - 0.5 * p.y());
-    const double wing = std::min(3 + 0.5 * p.x(), 7 - 0.5 * p.x());
-    if (p.y() > 8) return wing;
-    if (p.x() > 8) return main;
-    return p.x() < 4 && p.y() < 4 ? std::min(main, wing) : std::max(main, wing);
+  const auto height = [&](const Eigen::Vector2d& p) {
+    const double outer = std::min(planes[0].at(p), planes[2].at(p));
+    const double inner = std::max(planes[1].at(p), planes[3].at(p));
+    return std::min(outer, inner);
   };
   const auto samples = sample_roof(outline, height, 0.5, 0.0, 1);
   const ClosedPlanes closed = close_planes(outline, planes, samples, 0.0, without_refits());
