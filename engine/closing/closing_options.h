@@ -27,7 +27,7 @@ struct ClosingOptions {
   double clearance = 0.5;  ///< least height of the roof above its base, metres, [0.01, 100]
   double headroom = 2.0;   ///< of the roof above the highest sample, metres, [0, 1000]
   PlaneRefinementOptions refinement = {.loss_scale = 0.3};
-  RegularityOptions regularities;
+  RegularityOptions regularities = {};
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
