@@ -129,6 +129,17 @@ TEST(Explanation, TheOutcomeHasItsReason) {
   EXPECT_THAT(text, HasSubstr("no better than bare ground"));
 }
 
+TEST(Explanation, ClosedPlanesAreCounted) {
+  TileBuilding made = chosen();
+  made.building.status = BuildingStatus::kPlanes;
+  made.building.house.reset();
+  made.building.roof = RoofPartition{{{0, 0, 3}, {0, 0, 5}}, {}};
+  made.building.reason = "no house of the grammar explains the heights";
+  EXPECT_EQ(line_of(explain(made), "  outcome"),
+            "  outcome: 2 planes closed over its outline, MAD 0.123 m, because no house of the "
+            "grammar explains the heights");
+}
+
 TEST(Explanation, WhereNoHouseWasLookedForNothingIsCompared) {
   TileBuilding made = chosen();
   made.choice = {};
