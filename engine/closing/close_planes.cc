@@ -24,6 +24,9 @@ constexpr double kMove = 0.003;  // metres per attempt
 // Steeper than this, planes are walls: normals of which less than this points up.
 constexpr double kLeastUp = 0.17;
 
+// Slopes below this are level.
+constexpr double kLevel = 1e-3;
+
 // More than anything else can cost, per cell.
 constexpr double kForbidden = 1e7;
 
@@ -124,8 +127,13 @@ class Closing {
     }
     std::vector<Plane> result = planes;
     if (fitted.empty()) return result;
-    const std::vector<PlaneRegularity> regularities =
+    std::vector<PlaneRegularity> regularities =
         detect_regularities(oriented, moments, {}, options_.regularities);
+    // The slope of a level plane has no direction to change it in.
+    std::erase_if(regularities, [&](const PlaneRegularity& regularity) {
+      return regularity.kind == RegularityKind::kEqualSlope &&
+             (is_level(oriented[regularity.a]) || is_level(oriented[regularity.b]));
+    });
     refine_planes(points, supports, regularities, options_.refinement, &oriented);
     for (size_t k = 0; k < fitted.size(); ++k) {
       const Eigen::Vector3d normal = oriented[k].normal();
@@ -146,6 +154,10 @@ class Closing {
   }
 
  private:
+  static bool is_level(const OrientedPlane& plane) {
+    return plane.normal().head<2>().norm() < kLevel;
+  }
+
   static bool spans_a_plane(const PointMoments& moments) {
     if (moments.weight < 3.0) return false;
     const Eigen::Matrix2d spread = moments.scatter().topLeftCorner<2, 2>();

@@ -1,4 +1,5 @@
 #include <gable/engine/closing/plan_lines.h>
+#include <gable/grammar/ring.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,12 @@ constexpr double kSameOffset = 0.3;
 constexpr int kNumFreeDirections = 24;
 constexpr double kOutlineBonus = 1.2;
 constexpr double kPlaneBonus = 1.1;
+
+// Edges of the outline this long, metres, go on beyond corners that turn back by this, radians; as
+// one where they are this near, metres.
+constexpr double kLeastReentrantEdge = 0.5;
+constexpr double kLeastTurn = 0.3;
+constexpr double kSameReentrant = 0.1;
 
 constexpr double kLeastOutlineEdge = 2.0;  // metres, for its direction to count
 
@@ -151,6 +158,36 @@ bool runs_along(const PlanLine& line, const PlanLine& other, const Eigen::Vector
   return std::abs(sine) < std::sin(angle) && std::abs(other.signed_distance(at)) < distance;
 }
 
+/// The lines of those edges that end at a corner of more than 180 degrees, where the outline itself
+/// suggests that parts meet; longest first.
+std::vector<PlanLine> reentrant_lines(const PlanPolygon& outline) {
+  std::vector<std::pair<double, PlanLine>> found;
+  const auto add = [&](const Ring& ring, bool hole) {
+    const double inside_left = (signed_area(ring) > 0.0) != hole ? 1.0 : -1.0;
+    const size_t n = ring.size();
+    std::vector<bool> reentrant(n);
+    for (size_t i = 0; i < n; ++i) {
+      const Eigen::Vector2d before = (ring[i] - ring[(i + n - 1) % n]).normalized();
+      const Eigen::Vector2d after = (ring[(i + 1) % n] - ring[i]).normalized();
+      const double sine = before.x() * after.y() - before.y() * after.x();
+      reentrant[i] = inside_left * sine < -std::sin(kLeastTurn);
+    }
+    for (size_t i = 0; i < n; ++i) {
+      const Eigen::Vector2d along = ring[(i + 1) % n] - ring[i];
+      if (!(reentrant[i] || reentrant[(i + 1) % n]) || along.norm() < kLeastReentrantEdge) continue;
+      const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
+      found.push_back({along.norm(), {normal, normal.dot(ring[i])}});
+    }
+  };
+  add(outline.outer, false);
+  for (const Ring& hole : outline.holes) add(hole, true);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& x, const auto& y) { return x.first > y.first; });
+  std::vector<PlanLine> lines;
+  for (const auto& [length, line] : found) lines.push_back(line);
+  return lines;
+}
+
 }  // namespace
 
 std::optional<PlanLine> crease_of(const std::vector<Plane>& planes, int a, int b) {
@@ -226,6 +263,13 @@ std::vector<PlanLine> find_plan_lines(const SampleGrid& grid, const std::vector<
       return runs_along(line, other, mean, kSameOffset, kSameAngle);
     });
     if (!known) lines.push_back(line);
+  }
+  for (const PlanLine& line : reentrant_lines(outline)) {
+    if (static_cast<int>(lines.size()) >= options.max_lines) break;
+    const auto same = [&](const PlanLine& other) {
+      return runs_along(line, other, line.offset * line.normal, kSameReentrant, kSameAngle);
+    };
+    if (std::none_of(lines.begin(), lines.end(), same)) lines.push_back(line);
   }
   return lines;
 }

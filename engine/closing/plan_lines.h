@@ -27,8 +27,8 @@ std::optional<PlanLine> crease_of(const std::vector<Plane>& planes, int a, int b
 
 /// The lines that divide the plan between planes: the creases of those neighbours in the labelled
 /// grid whose border runs along their crease, then lines through what is left of the borders, those
-/// of most cells first, preferably along directions of the outline and the planes. At most
-/// options.max_lines, the longest borders first among creases and steps each.
+/// of most cells first, preferably along directions of the outline and the planes; and at last
+/// edges of the outline beyond its re-entrant corners, longest first. At most options.max_lines.
 std::vector<PlanLine> find_plan_lines(const SampleGrid& grid, const std::vector<int>& labels,
                                       const std::vector<Plane>& planes, const PlanPolygon& outline,
                                       const ClosingOptions& options);

@@ -15,7 +15,7 @@ struct RoofClosingOptions {
   ClosingOptions closing;
   /// Corners of the outline nearer than this to the line between their neighbours are left out,
   /// metres, [0, 10].
-  double outline_tolerance = 0.3;
+  double outline_tolerance = 0.15;
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
