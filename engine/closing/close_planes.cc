@@ -24,6 +24,10 @@ constexpr double kMove = 0.003;  // metres per attempt
 // Steeper than this, planes are walls: normals of which less than this points up.
 constexpr double kLeastUp = 0.17;
 
+// Slopes above this leave the heights of a building within its plan.
+constexpr double kSteep = 0.3;
+constexpr double kInside = 0.01;  // metres
+
 // Slopes below this are level.
 constexpr double kLevel = 1e-3;
 
@@ -74,14 +78,22 @@ class Closing {
   }
 
   bool has_samples() const { return !samples_.empty(); }
-  double level() const { return level_; }
+
+  /// Appends level planes that are possible everywhere: at the median height, and one just above
+  /// the base for ground that an outline takes in.
+  void add_stand_ins(std::vector<Plane>* planes, std::vector<int>* origins) const {
+    for (const double z : {level_, base_ + options_.clearance}) {
+      planes->push_back({0.0, 0.0, z});
+      origins->push_back(-1);
+    }
+  }
 
   /// Divides the plan by what the planes have to do with each other, and labels the cells.
   std::optional<Labelled> label(const PlanPolygon& outline, const std::vector<Plane>& planes,
                                 const ClosingOptions& options) {
     grid_labels_ = label_grid(grid_, samples_, planes, options, {});
-    const std::vector<PlanLine> lines =
-        find_plan_lines(grid_, grid_labels_, planes, outline, options);
+    std::vector<PlanLine> lines = find_plan_lines(grid_, grid_labels_, planes, outline, options);
+    add_level_lines(planes, options, &lines);
     std::optional<PlanDivision> division = PlanDivision::make(outline, lines);
     if (!division) return std::nullopt;
     Labelled labelled{std::move(*division), {}, 0.0};
@@ -154,6 +166,24 @@ class Closing {
   }
 
  private:
+  /// Where the planes that are seen come down to the base or rise to the ceiling: a cell must not
+  /// reach beyond.
+  void add_level_lines(const std::vector<Plane>& planes, const ClosingOptions& options,
+                       std::vector<PlanLine>* lines) const {
+    for (size_t i = 0; i < planes.size(); ++i) {
+      const Eigen::Vector2d slope(planes[i].a, planes[i].b);
+      const int label = static_cast<int>(i);
+      if (slope.norm() < kSteep) continue;
+      if (std::find(grid_labels_.begin(), grid_labels_.end(), label) == grid_labels_.end()) {
+        continue;
+      }
+      for (const double z : {base_ + options.clearance + kInside, ceiling_ - kInside}) {
+        if (static_cast<int>(lines->size()) >= options.max_lines) return;
+        lines->push_back({slope.normalized(), (z - planes[i].c) / slope.norm()});
+      }
+    }
+  }
+
   static bool is_level(const OrientedPlane& plane) {
     return plane.normal().head<2>().norm() < kLevel;
   }
@@ -270,8 +300,7 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
     choice.planes.push_back(planes[i]);
     choice.origins.push_back(static_cast<int>(i));
   }
-  choice.planes.push_back({0.0, 0.0, closing.level()});
-  choice.origins.push_back(-1);
+  closing.add_stand_ins(&choice.planes, &choice.origins);
   std::optional<Labelled> best = closing.label(outline, choice.planes, options);
   if (!best) return failed("the outline cannot be divided");
   ClosedPlanes closed;
@@ -296,8 +325,7 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
         labelled = best;
       } else {
         if (std::find(choice.origins.begin(), choice.origins.end(), -1) == choice.origins.end()) {
-          moved_choice.planes.push_back({0.0, 0.0, closing.level()});
-          moved_choice.origins.push_back(-1);
+          closing.add_stand_ins(&moved_choice.planes, &moved_choice.origins);
         }
         Random random(static_cast<uint64_t>(price * kMovesPerPrice + move));
         const double amplitude = kMove * move;

@@ -16,8 +16,8 @@ namespace gable {
 struct ClosedPlanes {
   RoofPartition roof;         ///< empty where there is none
   std::vector<Solid> solids;  ///< valid, between base and roof; one per connected body
-  /// Per plane of the roof the number of the plane given that it came from; -1: the level one that
-  /// stands in where no plane given can.
+  /// Per plane of the roof the number of the plane given that it came from; -1: a level one that
+  /// stands in, at the median height or just above the base.
   std::vector<int> origins;
   /// What the roof costs (see ClosingOptions), after the first labelling and after every refit that
   /// lowered it: falling. Cubic metres.

@@ -20,11 +20,11 @@ struct ClosingOptions {
   double least_step_length = 1.5;
   /// A line of a step as near as this to a parallel edge of the outline takes its place, metres,
   /// [0, 100].
-  double snap_distance = 0.6;
+  double snap_distance = 0.3;
   int max_lines = 40;      ///< that divide the plan, [0, 200]
   int max_grid = 4000;     ///< cells of the grid that finds which planes are neighbours, [16, 1e6]
   int max_refits = 4;      ///< of the planes to the regions they got, [0, 100]
-  double clearance = 0.5;  ///< least height of the roof above its base, metres, [0.01, 100]
+  double clearance = 0.1;  ///< least height of the roof above its base, metres, [0.01, 100]
   double headroom = 2.0;   ///< of the roof above the highest sample, metres, [0, 1000]
   PlaneRefinementOptions refinement = {.loss_scale = 0.3};
   RegularityOptions regularities = {};
