@@ -17,6 +17,18 @@ PartModel& part_of(PartRole role, int index, int piece, BuildingModel* model) {
   return model->parts.emplace_back(PartModel{role, index, piece, {}});
 }
 
+void add_roof(const RoofPartition& roof, double base, BuildingModel* model) {
+  const std::optional<std::vector<Solid>> solids = solids_of_partition(roof, base);
+  if (!solids || solids->empty()) {
+    model->dropped.push_back("the planes of the roof enclose no valid solid");
+    return;
+  }
+  for (size_t i = 0; i < solids->size(); ++i) {
+    PartModel& part = part_of(PartRole::kMain, 0, static_cast<int>(i), model);
+    for (const Lod lod : {Lod::k20, Lod::k22}) part.solids.push_back({lod, (*solids)[i]});
+  }
+}
+
 }  // namespace
 
 BuildingModel build_model(const Building& building) {
@@ -29,6 +41,7 @@ BuildingModel build_model(const Building& building) {
     } else {
       part_of(PartRole::kMain, 0, 0, &model).solids.push_back({Lod::k12, std::move(solid)});
     }
+    if (building.roof) add_roof(*building.roof, building.base, &model);
     return model;
   }
   model.origin = building.house->origin;

@@ -3,7 +3,14 @@
 namespace gable {
 
 const char* building_status_name(BuildingStatus status) {
-  return status == BuildingStatus::kGrammar ? "grammar" : "extrusion";
+  switch (status) {
+    case BuildingStatus::kGrammar:
+      return "grammar";
+    case BuildingStatus::kPlanes:
+      return "planes";
+    default:
+      return "extrusion";
+  }
 }
 
 }  // namespace gable

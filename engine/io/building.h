@@ -4,6 +4,7 @@
 #include <gable/grammar/known_outline.h>
 #include <gable/grammar/solid/extrusion.h>
 #include <gable/grammar/solid/house_solids.h>
+#include <gable/grammar/solid/roof_partition.h>
 
 #include <Eigen/Core>
 #include <optional>
@@ -15,10 +16,11 @@ namespace gable {
 /// How a building came out.
 enum class BuildingStatus {
   kGrammar,    ///< a house of the grammar
+  kPlanes,     ///< outside the grammar: the planes of its roof, closed over its outline
   kExtrusion,  ///< outside the grammar: its outline at one height (LoD 1.2)
 };
 
-/// "grammar" or "extrusion".
+/// "grammar", "planes" or "extrusion".
 const char* building_status_name(BuildingStatus status);
 
 /// How well a model fits the heights it was fitted to.
@@ -44,10 +46,13 @@ struct Building {
   /// kGrammar: where the walls are known to be (OutlinedHouse), relative to `house->origin`.
   KnownOutline walls;
 
-  /// kExtrusion: the outline relative to `origin`, and its height above it.
+  /// kPlanes, kExtrusion: the outline relative to `origin`, and its height above it.
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   PlanPolygon outline;
   double height = 0.0;
+
+  /// kPlanes: the roof over the outline, relative to `origin`. Its solid over `base` is valid.
+  std::optional<RoofPartition> roof;
 
   /// Height of the ground face relative to the origin's z (metres, usually <= 0).
   double base = 0.0;

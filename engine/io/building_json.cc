@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace gable {
 namespace {
@@ -44,6 +45,32 @@ Json polygon_json(const PlanPolygon& polygon) {
   return json;
 }
 
+Json roof_json(const RoofPartition& roof) {
+  Json json;
+  Json& planes = json["planes"] = Json::array();
+  for (const Plane& plane : roof.planes) {
+    planes.push_back(Json::array({plane.a, plane.b, plane.c}));
+  }
+  Json& regions = json["regions"] = Json::array();
+  for (const RoofRegion& region : roof.regions) {
+    Json& entry = regions.emplace_back(polygon_json(region.polygon));
+    entry["plane"] = region.plane;
+  }
+  return json;
+}
+
+/// Lowest and highest point of a roof.
+std::pair<double, double> height_range(const RoofPartition& roof) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const RoofRegion& region : roof.regions) {
+    for (const Eigen::Vector2d& p : region.polygon.outer) {
+      low = std::min(low, roof.planes[region.plane].at(p));
+      high = std::max(high, roof.planes[region.plane].at(p));
+    }
+  }
+  return {low, high};
+}
+
 Json derivation_json(const Building& building) {
   Json json;
   if (!building.house) {
@@ -52,6 +79,7 @@ Json derivation_json(const Building& building) {
     json["foundation"] = foundation_name(Foundation::kC);
     json["height"] = building.height;
     json["outline"] = polygon_json(building.outline);
+    if (building.roof) json["roof"] = roof_json(*building.roof);
     return json;
   }
   const House& house = *building.house;
@@ -112,10 +140,13 @@ Json attributes_json(const Building& building) {
     json["gable_chimneys"] = house.chimneys.size();
     json["gable_garages"] = house.garages.size();
   } else {
+    const auto [eaves, ridge] =
+        building.roof ? height_range(*building.roof) : std::pair(building.height, building.height);
     json["gable_foundation"] = foundation_name(Foundation::kC);
     json["gable_roofs"] = std::move(roofs);
-    json["gable_eaves_m"] = building.height - building.base;
-    json["gable_ridge_m"] = building.height - building.base;
+    json["gable_eaves_m"] = eaves - building.base;
+    json["gable_ridge_m"] = ridge - building.base;
+    if (building.roof) json["gable_planes"] = building.roof->planes.size();
     json["gable_dormers"] = 0;
     json["gable_chimneys"] = 0;
     json["gable_garages"] = 0;

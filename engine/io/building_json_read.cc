@@ -142,15 +142,34 @@ void read_house(const Reader& reader, const Json& derivation, Foundation foundat
   building->house = std::move(house);
 }
 
-PlanPolygon read_polygon(const Reader& reader, const Json& json) {
+PlanPolygon read_polygon(const Reader& reader, const Json& json, const std::string& what) {
   PlanPolygon polygon;
   polygon.outer = reader.ring(reader.member(json, "outer"));
   if (json.contains("holes")) {
-    for (const Json& hole : reader.list(json["holes"], "the holes of the outline")) {
+    for (const Json& hole : reader.list(json["holes"], "the holes of " + what)) {
       polygon.holes.push_back(reader.ring(hole));
     }
   }
   return polygon;
+}
+
+RoofPartition read_roof(const Reader& reader, const Json& json) {
+  RoofPartition roof;
+  for (const Json& plane : reader.list(reader.member(json, "planes"), "planes")) {
+    const Eigen::Vector3d values = reader.point(plane, "a plane");
+    roof.planes.push_back({values.x(), values.y(), values.z()});
+  }
+  for (const Json& entry : reader.list(reader.member(json, "regions"), "regions")) {
+    const Json& plane = reader.member(entry, "plane");
+    RoofRegion region;
+    region.plane = plane.is_number_unsigned() && plane.get<size_t>() < roof.planes.size()
+                       ? plane.get<int>()
+                       : -1;
+    if (region.plane < 0) reader.fail("a region of the roof has none of its planes");
+    region.polygon = read_polygon(reader, entry, "a region");
+    roof.regions.push_back(std::move(region));
+  }
+  return roof;
 }
 
 double optional_number(const Reader& reader, const Json& attributes, const char* key,
@@ -186,7 +205,7 @@ Building building_from_attributes(const std::string& id, const Json& attributes,
     read_house(reader, derivation, foundation, &building);
     if (derivation.contains("walls")) {
       const Json& walls = derivation["walls"];
-      building.walls.polygon = read_polygon(reader, walls);
+      building.walls.polygon = read_polygon(reader, walls, "the walls");
       building.walls.reach = reader.number(reader.member(walls, "reach"), "reach");
     }
     return building;
@@ -194,7 +213,11 @@ Building building_from_attributes(const std::string& id, const Json& attributes,
   building.status = BuildingStatus::kExtrusion;
   building.origin = reader.point(reader.member(derivation, "origin"), "origin");
   building.height = reader.number(reader.member(derivation, "height"), "height");
-  building.outline = read_polygon(reader, reader.member(derivation, "outline"));
+  building.outline = read_polygon(reader, reader.member(derivation, "outline"), "the outline");
+  if (derivation.contains("roof")) {
+    building.status = BuildingStatus::kPlanes;
+    building.roof = read_roof(reader, derivation["roof"]);
+  }
   return building;
 }
 

@@ -3,6 +3,7 @@
 #include <gable/grammar/plan_outline.h>
 #include <gable/grammar/polygon_cells.h>
 #include <gable/grammar/rasterise.h>
+#include <gable/grammar/roof_cells.h>
 
 namespace gable {
 
@@ -22,6 +23,7 @@ void for_building_cells(const Building& building, const Grid& grid,
     return for_covered_cells(*building.house, grid, visit);
   }
   const Eigen::Vector2d origin = origin_of(building).head<2>();
+  if (building.roof) return for_cells_of_roof(*building.roof, origin, grid, visit);
   if (!building.house) {
     for_cells_in_polygon(building.outline, origin, grid,
                          [&](int row, int col) { visit(row, col, building.height); });

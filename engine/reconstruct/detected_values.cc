@@ -2,6 +2,7 @@
 #include <gable/engine/reconstruct/detected_values.h>
 #include <glog/logging.h>
 
+#include <string>
 #include <utility>
 
 namespace gable {
@@ -27,14 +28,24 @@ DetectedValues detect_values(const HeightImage& image, DetectorNets* nets,
   const AzimuthAnswer answer = detect_azimuth(image, nets);
   values.azimuth = answer.angle();
   values.azimuth_confidence = answer.confidence();
+  std::string azimuth = "azimuth network";
   if (values.azimuth_confidence < options.least_confidence) {
+    azimuth = "where outline and roof rise, the network being unsure";
     values.azimuth = azimuth_candidates(image, kSeparation).front().azimuth;
   }
   Detection detection =
       detect_house(make_house_crop(image, values.azimuth), image, nets, options.detection);
   values.foundation = detection.foundation;
+  const OriginsByKind origins = {azimuth, "corners of the foundation network",
+                                 "roof network, heights inside", "peaks of the detail network",
+                                 "pixels of the garage network"};
   for (HouseHypothesis& hypothesis : detection.houses) {
-    values.houses.push_back({std::move(hypothesis.house), hypothesis.log_probability});
+    FirstValue value;
+    value.origins = origins_of(hypothesis.house, origins);
+    value.house = std::move(hypothesis.house);
+    value.source = ValueSource::kDetectors;
+    value.log_probability = hypothesis.log_probability;
+    values.houses.push_back(std::move(value));
   }
   return values;
 }

@@ -2,6 +2,7 @@
 
 #include <gable/engine/detectors/detect_house.h>
 #include <gable/engine/detectors/detector_nets.h>
+#include <gable/engine/reconstruct/first_values.h>
 #include <gable/grammar/house.h>
 #include <gable/residuals/height_image.h>
 
@@ -12,14 +13,8 @@
 
 namespace gable {
 
-/// First values of a house with how probable what they take for granted is.
-struct FirstValue {
-  House house;
-  double log_probability = 0.0;  ///< of the foundation's and the roofs' types
-};
-
-/// What a second source beside the classical search says of a building: houses to start from, and
-/// how probable each foundation type is, whichever source a hypothesis is from.
+/// What the detectors say of a building: houses to start from, and how probable each foundation
+/// type is.
 struct DetectedValues {
   std::array<float, kNumFoundations> foundation{};  ///< probabilities, by Foundation; C among them
   std::vector<FirstValue> houses;                   ///< the most probable first; may be empty

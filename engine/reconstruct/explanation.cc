@@ -69,10 +69,11 @@ double data_term(const PenalisedCost& cost) {
 }
 
 std::string first_values_line(const HouseChoice& choice) {
-  if (choice.hypotheses == 0) return "  first values: none, so no house was fitted\n";
-  return "  first values: " + std::to_string(choice.hypotheses - choice.detected_hypotheses) +
-         " from the classical search, " + std::to_string(choice.detected_hypotheses) +
-         " from the detectors\n";
+  if (choice.first_values.empty()) return "  first values: none, so no house was fitted\n";
+  return "  first values: " + std::to_string(choice.num_from(ValueSource::kClassical)) +
+         " from the classical search, " + std::to_string(choice.num_from(ValueSource::kDetectors)) +
+         " from the detectors, " + std::to_string(choice.num_from(ValueSource::kScales)) +
+         " from the structural scales\n";
 }
 
 std::string probabilities_line(const HouseChoice& choice) {
@@ -155,9 +156,14 @@ std::string afterwards_line(const Candidate& winner, const Candidate& best) {
 std::string outcome_line(const Building& building) {
   const bool house = building.status == BuildingStatus::kGrammar && building.house;
   std::string line = "  outcome: ";
-  line += house ? "a house of the grammar, foundation " +
-                      std::string(foundation_name(building.house->foundation))
-                : std::string("its outline extruded to one height");
+  if (house) {
+    line += "a house of the grammar, foundation " +
+            std::string(foundation_name(building.house->foundation));
+  } else if (building.roof) {
+    line += counted(building.roof->planes.size(), "plane") + " closed over its outline";
+  } else {
+    line += "its outline extruded to one height";
+  }
   line += ", MAD " + decimals(building.quality.mad, 3) + " m";
   if (!building.reason.empty()) line += (house ? "; but " : ", because ") + building.reason;
   return line + "\n";

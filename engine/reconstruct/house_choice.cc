@@ -1,8 +1,6 @@
-#include <gable/engine/reconstruct/azimuth.h>
-#include <gable/engine/reconstruct/block_search.h>
+#include <gable/engine/reconstruct/classical_values.h>
 #include <gable/engine/reconstruct/derivation_rewrites.h>
 #include <gable/engine/reconstruct/house_choice.h>
-#include <gable/engine/reconstruct/rectified_view.h>
 #include <gable/engine/reconstruct/roof_simplification.h>
 #include <gable/grammar/height_field.h>
 #include <glog/logging.h>
@@ -77,32 +75,15 @@ std::array<double, kNumFoundations> among_houses(
   return among;
 }
 
-std::vector<Candidate> classical_values(const HeightImage& image, int inside,
-                                        const HouseChoiceOptions& options) {
-  std::vector<Candidate> candidates;
-  const double separation = 7.0 * M_PI / 180.0;
-  for (const AzimuthCandidate& azimuth : azimuth_candidates(image, separation)) {
-    const double cell =
-        std::max({image.gsd, 0.5, std::sqrt(inside * image.gsd * image.gsd) / 60.0});
-    const RectifiedView view = rectify(image, azimuth.azimuth, cell, 1.5);
-    BlockSearchOptions search;
-    search.per_foundation = options.per_foundation;
-    for (Hypothesis& hypothesis : search_blocks(view, image.origin, search)) {
-      candidates.push_back({std::move(hypothesis.house), {}, ValueSource::kClassical});
-    }
-  }
-  return candidates;
-}
-
 // Drops the hypotheses of improbable types unless that leaves none.
-void drop_improbable(const DetectedValues& detected, const HouseChoiceOptions& options,
-                     std::vector<Candidate>* candidates) {
-  const std::array<double, kNumFoundations> among = among_houses(detected.foundation);
-  const auto improbable = [&](const Candidate& c) {
-    return among[static_cast<size_t>(c.house.foundation)] < options.skipped_probability;
+void drop_improbable(const std::array<float, kNumFoundations>& probabilities,
+                     const HouseChoiceOptions& options, std::vector<FirstValue>* values) {
+  const std::array<double, kNumFoundations> among = among_houses(probabilities);
+  const auto improbable = [&](const FirstValue& v) {
+    return among[static_cast<size_t>(v.house.foundation)] < options.skipped_probability;
   };
-  if (std::all_of(candidates->begin(), candidates->end(), improbable)) return;
-  std::erase_if(*candidates, improbable);
+  if (std::all_of(values->begin(), values->end(), improbable)) return;
+  std::erase_if(*values, improbable);
 }
 
 int count_inside(const HeightImage& image) {
@@ -149,8 +130,10 @@ std::string check(const HouseChoiceOptions& options) {
   return "";
 }
 
-std::string_view value_source_name(ValueSource source) {
-  return source == ValueSource::kDetectors ? "detectors" : "classical";
+int HouseChoice::num_from(ValueSource source) const {
+  return static_cast<int>(
+      std::count_if(first_values.begin(), first_values.end(),
+                    [&](const FirstValue& value) { return value.source == source; }));
 }
 
 std::array<double, kNumFoundations> foundation_charges(
@@ -165,26 +148,24 @@ std::array<double, kNumFoundations> foundation_charges(
 }
 
 HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& options,
-                         const DetectedValues* detected) {
+                         const FirstValues& others) {
   CHECK(check(options).empty()) << check(options);
   HouseChoice choice;
-  const int inside = count_inside(image);
-  const int stride = inside > kManyPixels ? 2 : 1;
+  const int stride = count_inside(image) > kManyPixels ? 2 : 1;
 
-  std::vector<Candidate> candidates;
-  if (options.classical) candidates = classical_values(image, inside, options);
+  if (options.classical) choice.first_values = classical_values(image, options.per_foundation);
   PenaltyOptions penalty;
-  if (detected != nullptr) {
-    choice.foundation = detected->foundation;
-    penalty.foundation_charge = foundation_charges(detected->foundation, options);
-    drop_improbable(*detected, options, &candidates);
-    choice.detected_hypotheses = static_cast<int>(detected->houses.size());
-    for (const FirstValue& value : detected->houses) {
-      candidates.push_back({value.house, {}, ValueSource::kDetectors});
-    }
+  choice.foundation = others.foundation;
+  if (others.foundation) {
+    penalty.foundation_charge = foundation_charges(*others.foundation, options);
+    drop_improbable(*others.foundation, options, &choice.first_values);
   }
-  choice.hypotheses = static_cast<int>(candidates.size());
-  if (candidates.empty()) return choice;
+  choice.first_values.insert(choice.first_values.end(), others.houses.begin(), others.houses.end());
+  if (choice.first_values.empty()) return choice;
+  std::vector<Candidate> candidates;
+  for (const FirstValue& value : choice.first_values) {
+    candidates.push_back({value.house, {}, value.source, static_cast<int>(candidates.size())});
+  }
 
   penalty.support = 0.25;
   penalty.loss = LossKind::kGemanMcClure;
@@ -222,6 +203,9 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
       taken[i] = 1;
     }
   }
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    if (!taken[i]) choice.given_up.push_back(candidates[i]);
+  }
   for (Candidate& c : finalists) {
     refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 12}}, false, &c.house);
   }
@@ -245,11 +229,16 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   double cheapest = std::numeric_limits<double>::infinity();
   for (Candidate& c : finalists) {
     c.cost = penalised_cost(image, c.house, penalty);
+    c.stage = ChoiceStage::kPriced;
     cheapest = std::min(cheapest, c.cost.total);
   }
-  std::erase_if(finalists,
-                [&](const Candidate& c) { return c.cost.total > kWorthFinishing * cheapest; });
+  std::erase_if(finalists, [&](const Candidate& c) {
+    const bool dear = c.cost.total > kWorthFinishing * cheapest;
+    if (dear) choice.given_up.push_back(c);
+    return dear;
+  });
   for (Candidate& c : finalists) {
+    c.stage = ChoiceStage::kFinished;
     simplify_roofs(image, penalty, &c.house);
     if (add_leftovers(image, leftovers, &c.house) > 0) {
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
@@ -262,7 +251,8 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   for (size_t i = 0; i < finalists.size() && finalists.size() < kMostFinalists; ++i) {
     if (finalists[i].cost.total > cheapest + kWorthRewriting) continue;
     for (House& other : rewrites(finalists[i].house, {})) {
-      Candidate c{std::move(other), {}, finalists[i].source};
+      Candidate c = finalists[i];
+      c.house = std::move(other);
       refine(image, {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8}}, false, &c.house);
       finish(image, penalty, leftovers.penalty, &c);
       if (c.cost.total < finalists[i].cost.total + kWorthRewriting) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/reconstruct/detected_values.h>
+#include <gable/engine/reconstruct/first_values.h>
 #include <gable/engine/reconstruct/leftovers.h>
 #include <gable/engine/solver/house_refinement.h>
 #include <gable/grammar/house.h>
@@ -9,7 +9,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace gable {
@@ -27,8 +26,8 @@ struct HouseChoiceOptions {
   double most_noise = 0.4;   ///< metres, >= least_noise
 
   bool classical = true;  ///< search for first values in the heights
-  /// How much the probabilities of the foundation types count where detected values come with
-  /// them, [0, 100]. See `foundation_charges`.
+  /// How much the probabilities of the foundation types count where first values come with them,
+  /// [0, 100]. See `foundation_charges`.
   double type_weight = 16.0;
   double least_probability = 0.003;  ///< a type counts as at least so probable, (0, 1]
   /// Hypotheses of the classical search of types less probable than this are dropped, [0, 1], but
@@ -39,17 +38,20 @@ struct HouseChoiceOptions {
 /// Empty if the options are in range; otherwise names the violated bound.
 std::string check(const HouseChoiceOptions& options);
 
-/// Where first values come from.
-enum class ValueSource { kClassical, kDetectors };
-
-/// "classical" or "detectors".
-std::string_view value_source_name(ValueSource source);
+/// How far a hypothesis came.
+enum class ChoiceStage {
+  kWide,      ///< refined with a wide support
+  kPriced,    ///< refined with a narrow one, and priced
+  kFinished,  ///< with its details, a finalist
+};
 
 /// One hypothesis after its refinement.
 struct Candidate {
   House house;
   PenalisedCost cost;
   ValueSource source = ValueSource::kClassical;  ///< of its first values
+  int hypothesis = -1;                           ///< position in HouseChoice::first_values
+  ChoiceStage stage = ChoiceStage::kWide;
 };
 
 /// The house chosen, and what it was chosen from.
@@ -58,11 +60,17 @@ struct HouseChoice {
   Candidate best;
   RefinementSummary summary;         ///< of the last refinement of the best
   std::vector<Candidate> finalists;  ///< best first, the winner among them
-  int hypotheses = 0;                ///< how many were refined
-  int detected_hypotheses = 0;       ///< how many of them had first values from the detectors
-  double noise = 0.0;                ///< of the heights as used to price parameters, metres
-  /// Probabilities of the foundation types, C among them, where there were detected values.
+  /// The others in the order in which they were given up, with what they cost then: of kWide the
+  /// wide stage's cost, which ranks and compares with nothing else.
+  std::vector<Candidate> given_up;
+  std::vector<FirstValue> first_values;  ///< what was refined
+  double noise = 0.0;                    ///< of the heights as used to price parameters, metres
+  /// Probabilities of the foundation types, C among them, where they were known.
   std::optional<std::array<float, kNumFoundations>> foundation;
+
+  int num_hypotheses() const { return static_cast<int>(first_values.size()); }
+  /// How many of them have their first values from a source.
+  int num_from(ValueSource source) const;
 };
 
 /// What each foundation, C left out, is charged in the penalised cost: twice the negative logarithm
@@ -70,11 +78,11 @@ struct HouseChoice {
 std::array<double, kNumFoundations> foundation_charges(
     const std::array<float, kNumFoundations>& probabilities, const HouseChoiceOptions& options);
 
-/// Chooses a house: first values of every foundation type from the heights and, where `detected` is
-/// not null, from there as well; all refined, the best few refined to the end with their dormers,
-/// chimneys and garages and simplified roofs, and the least penalised cost wins, in which the
-/// probabilities of `detected` count. Its houses have the image's origin.
+/// Chooses a house: first values of every foundation type from the heights and those of `others`;
+/// all refined, the best few refined to the end with their dormers, chimneys and garages and
+/// simplified roofs, and the least penalised cost wins, in which the probabilities of `others`
+/// count. The houses of `others` have the image's origin, as has the one chosen.
 HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& options,
-                         const DetectedValues* detected = nullptr);
+                         const FirstValues& others = {});
 
 }  // namespace gable

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace gable {
@@ -20,6 +19,9 @@ namespace {
 
 // Height of a building without a single measurement: one storey, metres.
 constexpr double kUnknownHeight = 3.0;
+
+// A margin that nothing exceeds, metres.
+constexpr double kNever = 1000.0;
 
 // Solids are never flatter than this, metres.
 constexpr double kLeastHeight = 0.5;
@@ -127,6 +129,13 @@ std::string check(const BuildingOptions& options) {
   if (!(options.outline_tolerance >= 0.01 && options.outline_tolerance <= 10.0)) {
     return "outline_tolerance must lie in [0.01, 10] m";
   }
+  if (const std::string error = check(options.closing); !error.empty()) return error;
+  if (!(options.planes_margin >= 0.0 && options.planes_margin <= kNever)) {
+    return "planes_margin must lie in [0, 1000] m";
+  }
+  if (!(options.planes_ratio >= 0.0 && options.planes_ratio <= 1.0)) {
+    return "planes_ratio must lie in [0, 1]";
+  }
   if (!(options.extrusion_margin >= 0.0 && options.extrusion_margin <= 10.0)) {
     return "extrusion_margin must lie in [0, 10] m";
   }
@@ -142,14 +151,17 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   ReconstructedBuilding extrusion;
   extrusion.building = extrusion_of(
       id, image, outline ? *outline : outline_of_mask(image, options.outline_tolerance));
-  const auto give_extrusion = [&](const std::string& reason) {
+  const BuildingFit flat = fit_of_building(image, extrusion.building);
+  const auto give = [&](Building building, const std::string& reason) {
+    extrusion.building = std::move(building);
     extrusion.building.reason = reason;
     extrusion.model = build_model(extrusion.building);
     extrusion.building.quality.time_ms = watch.ms();
     return std::move(extrusion);
   };
-
-  const BuildingFit flat = fit_of_building(image, extrusion.building);
+  const auto give_extrusion = [&](const std::string& reason) {
+    return give(extrusion.building, reason);
+  };
   const double area = flat.pixels * image.gsd * image.gsd;
   if (area < options.least_area) {
     char text[64];
@@ -158,11 +170,29 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   }
   HouseChoiceOptions choice_options = options.choice;
   choice_options.outline_known = outline != nullptr;
-  std::optional<DetectedValues> detected;
-  if (detect) detected = detect(image);
-  extrusion.choice = choose_house(image, choice_options, detected ? &*detected : nullptr);
+  FirstValues values;
+  if (detect) {
+    DetectedValues detected = detect(image);
+    values.foundation = detected.foundation;
+    values.houses = std::move(detected.houses);
+  }
+  extrusion.choice = choose_house(image, choice_options, values);
   const HouseChoice& choice = extrusion.choice;
-  if (!choice.found) return give_extrusion("no house of the grammar explains the heights");
+  // The planes of the roof where they can be closed and are nearer than one height, else that.
+  const auto give_planes = [&](const std::string& reason) {
+    Building planes = extrusion.building;
+    const std::string defect = close_roof(image, options.closing, &planes);
+    if (!defect.empty()) return give_extrusion(reason + "; " + defect);
+    const BuildingFit fit = fit_of_building(image, planes);
+    if (fit.charge > flat.charge - options.extrusion_margin) {
+      return give_extrusion(reason + "; the planes of its roof are " + metres(fit.charge) +
+                            " from the heights");
+    }
+    set_fit(fit, &planes);
+    planes.base = extrusion.building.base;
+    return give(std::move(planes), reason);
+  };
+  if (!choice.found) return give_planes("no house of the grammar explains the heights");
 
   ReconstructedBuilding house;
   house.building.id = id;
@@ -172,9 +202,8 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   const BuildingFit fit = fit_of_building(image, house.building);
   set_fit(fit, &house.building);
   if (fit.charge > flat.charge + options.extrusion_margin) {
-    return give_extrusion("the best house of the grammar is " + metres(fit.charge) +
-                          " from the heights on average, the extruded outline " +
-                          metres(flat.charge));
+    return give_planes("the best house of the grammar is " + metres(fit.charge) +
+                       " from the heights on average, the extruded outline " + metres(flat.charge));
   }
   house.model = build_model(house.building);
   if (outline && !defect_of(house.model).empty()) {
@@ -183,7 +212,19 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
     house.model = build_model(house.building);
   }
   if (const std::string defect = defect_of(house.model); !defect.empty()) {
-    return give_extrusion(defect);
+    return give_planes(defect);
+  }
+  if (options.planes_margin < kNever) {
+    Building planes = extrusion.building;
+    if (close_roof(image, options.closing, &planes).empty()) {
+      const BuildingFit closed = fit_of_building(image, planes);
+      if (closed.charge < fit.charge - options.planes_margin &&
+          closed.charge < options.planes_ratio * fit.charge) {
+        return give_planes("the best house of the grammar is " + metres(fit.charge) +
+                           " from the heights on average, the planes of its roof " +
+                           metres(closed.charge));
+      }
+    }
   }
   house.building.quality.time_ms = watch.ms();
   house.choice = std::move(extrusion.choice);

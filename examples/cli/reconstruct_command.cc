@@ -32,10 +32,18 @@ void say(const ReconstructOptions& options, const std::string& line) {
   if (!options.common.quiet) std::cerr << line << std::endl;
 }
 
-void summarise(const TileSummary& summary, size_t num_extrusions,
+/// How many buildings came out outside the grammar.
+struct OutsideGrammar {
+  size_t planes = 0;
+  size_t extrusions = 0;
+};
+
+void summarise(const TileSummary& summary, const OutsideGrammar& outside,
                const ReconstructOptions& options) {
   std::string line = options.output.models + ": " + std::to_string(summary.num_buildings) +
-                     " buildings, " + std::to_string(num_extrusions) + " of them extrusions";
+                     " buildings, " + std::to_string(outside.planes) +
+                     " of them closed from planes, " + std::to_string(outside.extrusions) +
+                     " extrusions";
   if (options.tile.footprints.empty()) {
     line += "; left out: " + std::to_string(summary.num_small) + " small pieces, " +
             std::to_string(summary.num_crown) + " parts of trees";
@@ -96,7 +104,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
   std::unique_ptr<Progress> progress;
-  size_t num_extrusions = 0;
+  OutsideGrammar outside;
   Explanations explanations(options.explain);
   TileCallbacks callbacks;
   callbacks.begin_window = [&](int window, int num_windows, size_t num_buildings) {
@@ -112,7 +120,8 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   };
   callbacks.deliver = [&](TileBuilding&& made) {
     explanations.see(made);
-    num_extrusions += made.building.status == BuildingStatus::kExtrusion;
+    outside.planes += made.building.status == BuildingStatus::kPlanes;
+    outside.extrusions += made.building.status == BuildingStatus::kExtrusion;
     outputs.append(std::move(made.building), made.model);
     progress->advance();
   };
@@ -120,7 +129,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   progress.reset();
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
   outputs.close();
-  summarise(summary, num_extrusions, options);
+  summarise(summary, outside, options);
   explanations.print();
 }
 

@@ -21,6 +21,7 @@
 #include "examples/cli/shapes_annotate_command.h"
 #include "examples/cli/shapes_evaluate_command.h"
 #include "examples/cli/shapes_outputs.h"
+#include "examples/cli/shapes_solids.h"
 #include "examples/cli/shapes_train_command.h"
 
 namespace gable {
@@ -28,7 +29,7 @@ namespace {
 
 struct ShapesOptions {
   CommonOptions common;
-  std::string scan, model = "buildings", folder, report, crs;
+  std::string scan, model = "buildings", folder, report, solids, crs;
   int num_scales = 0;
   double epsilon_percent = FirstShapesOptions{}.epsilon_percent;
   bool no_refit = false;
@@ -85,6 +86,8 @@ void run(const ShapesOptions& options, const CommandContext& context) {
   StagedFolder outputs(options.folder);
   std::optional<StagedFolder> report;
   if (!options.report.empty()) report.emplace(options.report);
+  std::optional<StagedFolder> solids;
+  if (!options.solids.empty()) solids.emplace(options.solids);
 
   require_going_on(context);
   const DetectedScales detected = detect_scales(scan, model, detect);
@@ -95,11 +98,18 @@ void run(const ShapesOptions& options, const CommandContext& context) {
   require_going_on(context);
   write_scales(outputs.staging(), scan, detected);
   if (report) write_report(report->staging(), report_of(scan, detected, options));
+  std::string closed_table;
+  if (solids) {
+    const std::vector<ScanSolid> closed = close_scales(options.scan, scan, detected);
+    write_solids(solids->staging(), closed, detected.first_shapes.diagonal);
+    closed_table = solids_table(closed, detected.first_shapes.diagonal);
+  }
   require_going_on(context);
   if (report) report->commit();
+  if (solids) solids->commit();
   outputs.commit();
   remove_further_scales(options.folder, static_cast<int>(detected.scales.size()));
-  std::cout << scales_table(detected);
+  std::cout << scales_table(detected) << closed_table;
 }
 
 }  // namespace
@@ -127,6 +137,12 @@ void add_shapes_command(CLI::App* app, const CommandContext& context) {
       ->type_name("N")
       ->check(CLI::Range(1, 62));
   command->add_option("--report", options->report, "Folder for a page with a picture per scale")
+      ->type_name("DIR");
+  command
+      ->add_option("--solids", options->solids,
+                   "Folder for a closed model per scale, solid-K.obj, and solids.json: the shapes "
+                   "that face up over the outline of the scan, walls vertical; a building in "
+                   "metres, z up")
       ->type_name("DIR");
   command
       ->add_option("--epsilon", options->epsilon_percent,

@@ -149,7 +149,7 @@ TEST(ReconstructCommand, BuildingsAreExplainedOnRequestAndNoOthers) {
   EXPECT_THAT(run.out, HasSubstr("\n\n" + buildings[2].id + "\n"));
   EXPECT_THAT(run.out, Not(HasSubstr(buildings[1].id)));
   EXPECT_THAT(run.out, HasSubstr("finalists by J"));
-  EXPECT_THAT(run.out, HasSubstr(", 0 from the detectors\n"));
+  EXPECT_THAT(run.out, HasSubstr(", 0 from the detectors, "));
   EXPECT_THAT(run.out, HasSubstr("outcome: a house of the grammar"));
   EXPECT_TRUE(file_bytes(out) == bytes);
 }

@@ -18,6 +18,11 @@ double BuildingSurface::height(const Eigen::Vector2d& point, double support, dou
     const auto seen = house_->at_local(local);
     return seen ? seen->height + offset_z_ : ground;
   }
+  if (building_.roof) {
+    const int region = region_at(*building_.roof, local);
+    if (region < 0) return ground;
+    return building_.roof->planes[building_.roof->regions[region].plane].at(local) + offset_z_;
+  }
   return polygon_holds(building_.outline, local) ? building_.height + offset_z_ : ground;
 }
 
@@ -27,6 +32,8 @@ SurfacePart BuildingSurface::part(const Eigen::Vector2d& point) const {
   if (house_) {
     const auto seen = house_->at_local(local);
     if (seen) part = {seen->block, house_->field().sources()[seen->block].role};
+  } else if (building_.roof) {
+    part.block = region_at(*building_.roof, local);
   } else if (polygon_holds(building_.outline, local)) {
     part.block = 0;
   }

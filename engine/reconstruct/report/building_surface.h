@@ -10,7 +10,9 @@ namespace gable {
 
 /// What is seen from above at a point.
 struct SurfacePart {
-  int block = -1;  ///< index into BuildingSurface::blocks(), 0 for an extrusion, -1: the ground
+  /// Index into BuildingSurface::field()'s blocks, or of a region of the roof; 0 for an extrusion,
+  /// -1: the ground.
+  int block = -1;
   BlockRole role = BlockRole::kComponent;  ///< of that block
 };
 
@@ -21,12 +23,12 @@ class BuildingSurface {
   BuildingSurface(const Building& building, const Eigen::Vector3d& origin);
 
   /// Height above origin.z() at a point, averaged over a support (metres), over a terrain of height
-  /// `ground` above origin.z(). What has a known outline is sampled at the point.
+  /// `ground` above origin.z(). All but houses without a known outline are sampled at the point.
   double height(const Eigen::Vector2d& point, double support, double ground) const;
 
   SurfacePart part(const Eigen::Vector2d& point) const;
 
-  /// The house's height field; nullptr for an extrusion. Its local frame is this one less
+  /// The house's height field; nullptr for all else. Its local frame is this one less
   /// `offset()`.
   const HeightField* field() const { return house_ ? &house_->field() : nullptr; }
   const Eigen::Vector2d& offset() const { return offset_; }

@@ -21,7 +21,7 @@ constexpr size_t kMaxTitle = 80;
 
 std::string title(const Building& building) {
   std::string id = building.id.substr(0, kMaxTitle);
-  if (!building.house) return id + "   extrusion";
+  if (!building.house) return id + "   " + building_status_name(building.status);
   return id + "   foundation " + std::string(foundation_name(building.house->foundation)) +
          "   roofs " + roof_list(*building.house);
 }
@@ -70,6 +70,8 @@ void draw_parts_legend(cv::Mat& canvas, const cv::Rect& area, const Building& bu
     add("garages", building.house->garages.size(), kGarageColor);
     add("dormers", building.house->dormers.size(), kDormerColor);
     add("chimneys", building.house->chimneys.size(), kChimneyColor);
+  } else if (building.roof) {
+    add("planes", building.roof->planes.size(), kComponentColors[0]);
   } else {
     entries.push_back({"outline at one height", kComponentColors[0]});
   }

@@ -116,7 +116,8 @@ cv::Mat parts_panel(const BuildingSurface& surface, const HeightImage& image,
       blocks.at<int>(y, x) = part.block;
       Color color = kNoDataColor;
       if (part.block >= 0) {
-        const int index = surface.field() ? surface.field()->sources()[part.block].index : 0;
+        const int index =
+            surface.field() ? surface.field()->sources()[part.block].index : part.block;
         color = part_color(part.role, index);
       } else {
         const int col = scale.col_of(x / kOversampling, image);

@@ -149,6 +149,28 @@ TEST(Evaluation, ExtrusionsCountAsTypeC) {
   EXPECT_NEAR(result.over_model.mad(), 0.75, 1e-5);
 }
 
+TEST(ModelSurface, ClosedPlanesHaveTheHeightsOfTheirRegions) {
+  Building planes;
+  planes.status = BuildingStatus::kPlanes;
+  planes.origin = {kEast + 20.0, kNorth - 20.0, kGround};
+  planes.outline.outer = {{-8, -8}, {8, -8}, {8, 8}, {-8, 8}};
+  planes.height = 3.0;
+  planes.roof = RoofPartition{{{0.25, 0, 4}, {0, 0, 9}},
+                              {{0, {{{-8, -8}, {0, -8}, {0, 8}, {-8, 8}}, {}}},
+                               {1, {{{0, -8}, {8, -8}, {8, 8}, {0, 8}}, {}}}}};
+  const ModelSurface surface = rasterise_buildings({planes}, test_grid());
+  int covered = 0;
+  for (int row = 0; row < 80; ++row) {
+    for (int col = 0; col < 80; ++col) {
+      if (surface.owner.at(row, col) < 0) continue;
+      ++covered;
+      const double x = 0.5 * (col + 0.5) - 20.0;
+      EXPECT_NEAR(surface.height.at(row, col), kGround + (x < 0.0 ? 4.0 + 0.25 * x : 9.0), 1e-5);
+    }
+  }
+  EXPECT_EQ(covered, 32 * 32);
+}
+
 TEST(Evaluation, CellsWithoutMeasurementDoNotCount) {
   Case c;
   c.truth = c.buildings = {gabled("a", 10, 10)};

@@ -68,6 +68,26 @@ TEST(BuildModel, ExtrusionIsOneSolidAtTheCoarsestLevel) {
   EXPECT_NEAR(volume(model.parts[0].solids[0].solid), (100.0 - 9.15) * (8.0 / 3.0 + 0.25), 1e-6);
 }
 
+TEST(BuildModel, ClosedPlanesAreAnExtrusionAtTheCoarsestLevelAndTheirRoofAtTheOthers) {
+  const BuildingModel model = build_model(sample_planes("1"));
+  ASSERT_EQ(model.parts.size(), 1u);
+  ASSERT_EQ(model.parts[0].solids.size(), 3u);
+  EXPECT_EQ(model.parts[0].solids[0].lod, Lod::k12);
+  EXPECT_EQ(model.parts[0].solids[2].lod, Lod::k22);
+  EXPECT_NEAR(volume(model.parts[0].solids[0].solid), 84.0 * (11.0 / 3.0 + 0.25), 1e-6);
+  EXPECT_NEAR(volume(finest_solid(model.parts[0])), 60.0 * 4.25 + 24.0 * 2.75, 1e-6);
+}
+
+TEST(BuildModel, RoofThatComesDownToItsBaseIsLeftOut) {
+  Building building = sample_planes("1");
+  building.roof->planes[2].c = building.base;
+  const BuildingModel model = build_model(building);
+  ASSERT_EQ(model.parts.size(), 1u);
+  EXPECT_EQ(model.parts[0].solids.size(), 1u);
+  EXPECT_EQ(model.dropped,
+            std::vector<std::string>{"the planes of the roof enclose no valid solid"});
+}
+
 TEST(BuildModel, OutlineWithoutAreaSaysSo) {
   Building flat = sample_extrusion("1");
   flat.outline.holes.clear();
@@ -86,7 +106,7 @@ TEST(BuildModel, ABuildingReadBackIsWrittenAsTheSameBytes) {
     writer->close();
     return file_bytes(path);
   };
-  const std::string first = write({plain_house(), sample_extrusion("2")});
+  const std::string first = write({plain_house(), sample_extrusion("2"), sample_planes("3")});
   EXPECT_EQ(write(read_buildings(path).buildings), first);
 }
 

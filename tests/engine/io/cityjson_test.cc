@@ -69,6 +69,27 @@ TEST_P(CityJsonRoundTrip, ReadingGivesTheSameBuildingsToTheLastBit) {
   expect_same(file.buildings[1], sample_extrusion("2"));
 }
 
+TEST_P(CityJsonRoundTrip, ClosedPlanesAreReadToTheLastBit) {
+  const ScratchFolder scratch;
+  const std::string path = scratch.path(GetParam());
+  const Building planes = sample_planes("3");
+  const auto writer = open_model_writer(path, options());
+  writer->append(planes, sample_model(planes.origin));
+  writer->close();
+  const BuildingFile file = read_buildings(path);
+  ASSERT_EQ(file.buildings.size(), 1u);
+  expect_same(file.buildings[0], planes);
+  ASSERT_TRUE(file.buildings[0].roof);
+  const RoofPartition& roof = *file.buildings[0].roof;
+  ASSERT_EQ(roof.planes.size(), 3u);
+  EXPECT_EQ(roof.planes[1].b, planes.roof->planes[1].b);
+  ASSERT_EQ(roof.regions.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(roof.regions[i].plane, planes.roof->regions[i].plane);
+    EXPECT_EQ(roof.regions[i].polygon.outer, planes.roof->regions[i].polygon.outer);
+  }
+}
+
 TEST_P(CityJsonRoundTrip, WritingTwiceGivesTheSameBytes) {
   const ScratchFolder scratch;
   const std::string once = file_bytes(write_samples(scratch.path(GetParam())));

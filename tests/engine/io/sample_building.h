@@ -53,6 +53,26 @@ inline Building sample_extrusion(const std::string& id) {
   return building;
 }
 
+/// A gable roof of 10 x 6 beside a flat one, outside the grammar: closed planes.
+inline Building sample_planes(const std::string& id) {
+  Building building;
+  building.id = id;
+  building.status = BuildingStatus::kPlanes;
+  building.reason = "no house of the grammar explains the heights";
+  building.quality = {0.1, 0.2, 12.0};
+  building.origin = {84900.5, 447500.25, -1.5};
+  building.outline.outer = {{0, 0}, {14, 0}, {14, 6}, {0, 6}};
+  building.height = 11.0 / 3.0;
+  building.base = -0.25;
+  RoofPartition roof;
+  roof.planes = {{0, 2.0 / 3.0, 3}, {0, -2.0 / 3.0, 7}, {0, 0, 2.5}};
+  roof.regions = {{0, {{{0, 0}, {10, 0}, {10, 3}, {0, 3}}, {}}},
+                  {1, {{{0, 3}, {10, 3}, {10, 6}, {0, 6}}, {}}},
+                  {2, {{{10, 0}, {14, 0}, {14, 6}, {10, 6}, {10, 3}}, {}}}};
+  building.roof = roof;
+  return building;
+}
+
 /// The box [x0, x1] x [y0, y1] x [z0, z1] as a closed, outward solid.
 inline Solid box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
   Solid solid;

@@ -24,6 +24,7 @@ Candidate candidate(Foundation foundation, double squared_residuals, int paramet
   c.cost = {squared_residuals, parameters, prior, kPixels, 0.0};
   c.cost.total = squared_residuals / (kSigma * kSigma) + parameters * std::log(kPixels) + prior;
   c.source = source;
+  c.stage = ChoiceStage::kFinished;
   return c;
 }
 
@@ -33,8 +34,9 @@ TileBuilding chosen() {
   made.building.id = "b12_34";
   HouseChoice& choice = made.choice;
   choice.found = true;
-  choice.hypotheses = 9;
-  choice.detected_hypotheses = 2;
+  choice.first_values.resize(10);
+  choice.first_values[7].source = choice.first_values[8].source = ValueSource::kDetectors;
+  choice.first_values[9].source = ValueSource::kScales;
   choice.noise = kSigma;
   choice.foundation = {0.5f, 0.25f, 0.0f, 0.125f, 0.0625f, 0.0625f};
   choice.finalists = {candidate(Foundation::kI, 8.0, 7, 0.0, ValueSource::kDetectors),
@@ -72,8 +74,10 @@ TEST(Explanation, EveryFinalistHasItsPartsAndItsCost) {
 
 TEST(Explanation, SourcesAndProbabilitiesAreNamed) {
   TileBuilding made = chosen();
-  EXPECT_THAT(explain(made),
-              HasSubstr("first values: 7 from the classical search, 2 from the detectors\n"));
+  EXPECT_THAT(
+      explain(made),
+      HasSubstr("first values: 7 from the classical search, 2 from the detectors, 1 from the "
+                "structural scales\n"));
   EXPECT_THAT(explain(made),
               HasSubstr("probabilities of the foundation: I 0.500, II 0.250, III 0.000, "
                         "L 0.125, U 0.062, C 0.062\n"));
@@ -123,6 +127,17 @@ TEST(Explanation, TheOutcomeHasItsReason) {
             "  outcome: its outline extruded to one height, MAD 0.123 m, because no house of the "
             "grammar explains the heights");
   EXPECT_THAT(text, HasSubstr("no better than bare ground"));
+}
+
+TEST(Explanation, ClosedPlanesAreCounted) {
+  TileBuilding made = chosen();
+  made.building.status = BuildingStatus::kPlanes;
+  made.building.house.reset();
+  made.building.roof = RoofPartition{{{0, 0, 3}, {0, 0, 5}}, {}};
+  made.building.reason = "no house of the grammar explains the heights";
+  EXPECT_EQ(line_of(explain(made), "  outcome"),
+            "  outcome: 2 planes closed over its outline, MAD 0.123 m, because no house of the "
+            "grammar explains the heights");
 }
 
 TEST(Explanation, WhereNoHouseWasLookedForNothingIsCompared) {

@@ -62,9 +62,24 @@ TEST(HouseChoice, TakesTheFinalistOfTheLeastCost) {
     EXPECT_LE(choice.finalists[i - 1].cost.total, choice.finalists[i].cost.total);
   }
   EXPECT_EQ(choice.best.house.foundation, choice.finalists[0].house.foundation);
-  EXPECT_GE(choice.hypotheses, 1);
+  EXPECT_GE(choice.num_hypotheses(), 1);
   EXPECT_GE(choice.noise, HouseChoiceOptions{}.least_noise);
   EXPECT_LE(choice.noise, HouseChoiceOptions{}.most_noise);
+}
+
+TEST(HouseChoice, EveryHypothesisIsAFinalistOrGivenUp) {
+  const HouseChoice choice = choose_house(image_of(scene_of(Foundation::kII, 2)), {});
+  std::vector<int> seen(choice.num_hypotheses(), 0);
+  for (const Candidate& c : choice.given_up) {
+    EXPECT_NE(c.stage, ChoiceStage::kFinished);
+    ++seen[c.hypothesis];
+  }
+  for (const int count : seen) EXPECT_LE(count, 1);
+  for (const Candidate& c : choice.finalists) {
+    EXPECT_EQ(c.stage, ChoiceStage::kFinished);
+    ++seen[c.hypothesis];  // rewrites as well, under the number of what they were made from
+  }
+  for (const int count : seen) EXPECT_GE(count, 1);
 }
 
 TEST(HouseChoice, FindsNothingOnOpenGround) {
@@ -73,15 +88,16 @@ TEST(HouseChoice, FindsNothingOnOpenGround) {
   image.inside.assign(image.size(), 0);
   const HouseChoice choice = choose_house(image, {});
   EXPECT_FALSE(choice.found);
-  EXPECT_EQ(choice.hypotheses, 0);
+  EXPECT_EQ(choice.num_hypotheses(), 0);
 }
 
 /// What detectors might say: one house, and the foundation's probability, the rest shared evenly.
-DetectedValues detected(const House& house, Foundation foundation, float probability) {
-  DetectedValues values;
-  values.foundation.fill((1.0f - probability) / 5.0f);
-  values.foundation[static_cast<size_t>(foundation)] = probability;
-  values.houses.push_back({house, std::log(probability)});
+FirstValues detected(const House& house, Foundation foundation, float probability) {
+  FirstValues values;
+  values.foundation.emplace();
+  values.foundation->fill((1.0f - probability) / 5.0f);
+  (*values.foundation)[static_cast<size_t>(foundation)] = probability;
+  values.houses.push_back({house, ValueSource::kDetectors, {}, std::log(probability)});
   return values;
 }
 
@@ -111,16 +127,16 @@ TEST(HouseChoice, StartsFromWhatIsDetectedAloneAndSaysSo) {
   for (Rule& roof : start.roofs) roof[param::roof::kEaves] += 0.5;
   HouseChoiceOptions options;
   options.classical = false;
-  const DetectedValues values = detected(start, Foundation::kII, 0.9f);
-  const HouseChoice choice = choose_house(image, options, &values);
+  const FirstValues values = detected(start, Foundation::kII, 0.9f);
+  const HouseChoice choice = choose_house(image, options, values);
   ASSERT_TRUE(choice.found);
-  EXPECT_EQ(choice.hypotheses, 1);
+  EXPECT_EQ(choice.num_hypotheses(), 1);
   EXPECT_EQ(choice.best.house.foundation, Foundation::kII);
   EXPECT_LT(choice.summary.mad, 0.2);
   EXPECT_EQ(choice.best.source, ValueSource::kDetectors);
   for (const Candidate& c : choice.finalists) EXPECT_EQ(c.source, ValueSource::kDetectors);
   ASSERT_TRUE(choice.foundation.has_value());
-  EXPECT_EQ(*choice.foundation, values.foundation);
+  EXPECT_EQ(*choice.foundation, *values.foundation);
 }
 
 TEST(HouseChoice, NeitherSourceFindsNothing) {
@@ -128,8 +144,8 @@ TEST(HouseChoice, NeitherSourceFindsNothing) {
   HouseChoiceOptions options;
   options.classical = false;
   EXPECT_FALSE(choose_house(image, options).found);
-  const DetectedValues empty;
-  EXPECT_FALSE(choose_house(image, options, &empty).found);
+  const FirstValues empty;
+  EXPECT_FALSE(choose_house(image, options, empty).found);
 }
 
 TEST(HouseChoice, AWrongDetectedHouseDoesNotSpoilTheChoice) {
@@ -139,12 +155,12 @@ TEST(HouseChoice, AWrongDetectedHouseDoesNotSpoilTheChoice) {
   wrong.footprints[0][0] += 8.0;
   HouseChoiceOptions options;
   options.type_weight = 0.0;
-  const DetectedValues values = detected(wrong, Foundation::kI, 0.9f);
+  const FirstValues values = detected(wrong, Foundation::kI, 0.9f);
   const HouseChoice alone = choose_house(image, options);
-  const HouseChoice both = choose_house(image, options, &values);
+  const HouseChoice both = choose_house(image, options, values);
   EXPECT_FALSE(alone.foundation.has_value());
-  EXPECT_EQ(both.hypotheses, alone.hypotheses + 1);
-  EXPECT_EQ(both.detected_hypotheses, 1);
+  EXPECT_EQ(both.num_hypotheses(), alone.num_hypotheses() + 1);
+  EXPECT_EQ(both.num_from(ValueSource::kDetectors), 1);
   EXPECT_LE(both.best.cost.total, alone.best.cost.total + 1e-6);
   EXPECT_EQ(both.best.house.foundation, alone.best.house.foundation);
 }
@@ -163,9 +179,9 @@ TEST(HouseChoice, ProbabilitiesTurnAChoiceThatTheHeightsLeaveOpen) {
   HouseChoiceOptions options;
   const auto chosen = [&](Foundation foundation, double weight) {
     options.type_weight = weight;
-    DetectedValues values = detected(house, foundation, 0.98f);
+    FirstValues values = detected(house, foundation, 0.98f);
     values.houses.clear();
-    return choose_house(image, options, &values);
+    return choose_house(image, options, values);
   };
   const HouseChoice as_one = chosen(Foundation::kI, 100.0), as_two = chosen(Foundation::kII, 100.0);
   EXPECT_EQ(as_one.best.house.foundation, Foundation::kI);
@@ -179,15 +195,15 @@ TEST(HouseChoice, ProbabilitiesTurnAChoiceThatTheHeightsLeaveOpen) {
 TEST(HouseChoice, HypothesesOfImprobableTypesCanBeSkippedButNeverAll) {
   const HeightImage image = image_of(scene_of(Foundation::kI, 2));
   HouseChoiceOptions options;
-  DetectedValues values;
-  values.foundation = {0.95f, 0.01f, 0.01f, 0.01f, 0.01f, 0.01f};
-  const int all = choose_house(image, options, &values).hypotheses;
+  FirstValues values;
+  values.foundation = std::array<float, kNumFoundations>{0.95f, 0.01f, 0.01f, 0.01f, 0.01f, 0.01f};
+  const int all = choose_house(image, options, values).num_hypotheses();
   options.skipped_probability = 0.1;
-  const int some = choose_house(image, options, &values).hypotheses;
+  const int some = choose_house(image, options, values).num_hypotheses();
   EXPECT_LT(some, all);
   EXPECT_GE(some, 1);
   options.skipped_probability = 1.0;
-  EXPECT_EQ(choose_house(image, options, &values).hypotheses, all);
+  EXPECT_EQ(choose_house(image, options, values).num_hypotheses(), all);
 }
 
 TEST(HouseChoice, CheckNamesTheViolatedBound) {

@@ -1,0 +1,70 @@
+#include <gable/engine/closing/plan_division.h>
+#include <gable/grammar/random.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "engine/closing/sampled_roof.h"
+
+namespace gable {
+namespace {
+
+TEST(PlanDivision, TwoLinesMakeFourCellsWithFourBorders) {
+  const auto division = PlanDivision::make(
+      rectangle(0, 0, 10, 6), {{Eigen::Vector2d::UnitX(), 4.0}, {Eigen::Vector2d::UnitY(), 1.0}});
+  ASSERT_TRUE(division);
+  EXPECT_EQ(division->num_cells(), 4);
+  EXPECT_EQ(division->borders().size(), 4u);
+  EXPECT_NEAR(division->area(division->cell_at({1.0, 0.5})), 4.0, 1e-12);
+  EXPECT_NEAR(division->area(division->cell_at({9.0, 5.0})), 30.0, 1e-12);
+  EXPECT_EQ(division->cell_at({-1.0, 0.5}), -1);
+}
+
+TEST(PlanDivision, PiecesThatALineCutsOffOnOneSideAreCellsOfTheirOwn) {
+  // A U: the line y = 5 cuts off both of its arms, on the same side.
+  const PlanPolygon u{{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {6, 3}, {3, 3}, {3, 9}, {0, 9}}, {}};
+  const auto division = PlanDivision::make(u, {{Eigen::Vector2d::UnitY(), 5.0}});
+  ASSERT_TRUE(division);
+  EXPECT_EQ(division->num_cells(), 3);
+  EXPECT_NE(division->cell_at({1.0, 8.0}), division->cell_at({8.0, 8.0}));
+}
+
+TEST(PlanDivision, CellsOfRandomLinesCoverTheOutlineOnce) {
+  for (uint64_t seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    PlanPolygon outline = rectangle(-6, -5, 7, 6);
+    outline.holes.push_back({{0, 0}, {2, 0.3}, {1, 2}});
+    std::vector<PlanLine> lines;
+    for (int i = 0; i < 12; ++i) {
+      const double angle = random.uniform(0, M_PI);
+      lines.push_back({{std::cos(angle), std::sin(angle)}, random.uniform(-5, 5)});
+    }
+    const auto division = PlanDivision::make(outline, lines);
+    ASSERT_TRUE(division);
+    double area = 0.0;
+    for (int c = 0; c < division->num_cells(); ++c) area += division->area(c);
+    EXPECT_NEAR(area, 13 * 11 - std::abs(signed_area(outline.holes[0])), 1e-4);
+    // A cell lies on one side of every line.
+    for (const HeightSample& s : sample_roof(
+             outline, [](const auto&) { return 0; }, 0.9, 0, 1)) {
+      const int cell = division->cell_at(s.point.head<2>());
+      ASSERT_GE(cell, 0);
+      for (const Eigen::Vector2d& corner : division->corners(cell)) {
+        for (const PlanLine& line : lines) {
+          const double at_sample = line.signed_distance(s.point.head<2>());
+          EXPECT_GT(at_sample * line.signed_distance(corner), -1e-4);
+        }
+      }
+    }
+  }
+}
+
+TEST(PlanDivision, OutlinesWithoutAreaCannotBeDivided) {
+  EXPECT_FALSE(PlanDivision::make({}, {}));
+  EXPECT_FALSE(PlanDivision::make({{{0, 0}, {1, 0}}, {}}, {}));
+  EXPECT_FALSE(PlanDivision::make({{{0, 0}, {1, 0}, {NAN, 1}}, {}}, {}));
+}
+
+}  // namespace
+}  // namespace gable
