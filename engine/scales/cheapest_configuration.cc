@@ -22,12 +22,17 @@ int cheapest_configuration(const std::vector<Eigen::Vector3d>& points,
   CHECK_GT(deviation, 0.0);
   CHECK_EQ(points.size(), collapsed.first_shapes.shape_of.size());
   const Trajectory& trajectory = collapsed.trajectory;
-  // By the number of a shape, those that merges make included.
-  std::vector<PointMoments> moments = collapsed.first_shapes.moments;
+  // By the number of a shape, those that merges make included. The first shapes' own moments are in
+  // another frame.
+  PointMoments none;
+  if (!points.empty()) none.reference = points.front();
+  std::vector<PointMoments> moments(trajectory.num_first, none);
   std::vector<std::vector<int>> members(trajectory.num_first);
   for (size_t i = 0; i < points.size(); ++i) {
     const int shape = collapsed.first_shapes.shape_of[i];
-    if (shape >= 0) members[shape].push_back(static_cast<int>(i));
+    if (shape < 0) continue;
+    moments[shape].add(points[i]);
+    members[shape].push_back(static_cast<int>(i));
   }
   const auto squares_of = [&](size_t shape) {
     const ShapePlane plane = shape_plane(moments[shape]);

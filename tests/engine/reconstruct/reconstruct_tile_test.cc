@@ -92,7 +92,7 @@ TEST_F(ReconstructTile, WithDetectorsThreadsChangeNothing) {
   for (size_t i = 0; i < one.size(); ++i) {
     ASSERT_TRUE(one[i].foundation.has_value());
     EXPECT_EQ(*one[i].foundation, *three[i].foundation);
-    EXPECT_EQ(one[i].hypotheses, three[i].hypotheses);
+    EXPECT_EQ(one[i].num_hypotheses(), three[i].num_hypotheses());
     EXPECT_EQ(one[i].best.cost.total, three[i].best.cost.total);
     EXPECT_EQ(one[i].best.source, three[i].best.source);
   }
