@@ -28,6 +28,10 @@ constexpr double kSameEnd = 1.5;
 // The paper's common ratio where no hip is seen: a ratio of 0 has no derivative.
 constexpr double kCommonHip = 0.1;
 
+// A slope is half a gable where the building goes on beyond its ridge over this share of its
+// pixels.
+constexpr double kShareBeyond = 0.3;
+
 // What lies so far within a block that has a roof is something on it.
 constexpr double kShareOnRoof = 0.6;
 
@@ -297,8 +301,58 @@ class BlockReader {
       }
       if (on_roof) continue;
       side.used = true;
-      add_flat(side, side.points, 2);
+      if (is_half_a_gable(side)) {
+        add_mirrored(side);
+      } else {
+        add_flat(side, side.points, 2);
+      }
     }
+  }
+
+  // The ridge of a slope whose other side is hidden under something: its upper edge.
+  static double upper_edge(const Slope& side) {
+    const Extent& across = side.extents[side.axis];
+    return side.falls > 0 ? across.low : across.high;
+  }
+
+  // Whether a slope that has no counterpart is steep enough for a roof, and the building goes on
+  // beyond its upper edge.
+  bool is_half_a_gable(const Slope& side) const {
+    if (side.flat || side.slope() < options_.least_half_slope) return false;
+    const double ridge = upper_edge(side), half = side.extents[side.axis].length();
+    const Extent& along = side.extents[1 - side.axis];
+    size_t beyond = 0;
+    for (const Slope& other : sides_) {
+      for (const Eigen::Vector2d& p : other.points) {
+        const double past = side.falls * (ridge - p[side.axis]);
+        beyond += past > 0.0 && past < half && p[1 - side.axis] > along.low &&
+                  p[1 - side.axis] < along.high;
+      }
+    }
+    return static_cast<double>(beyond) > kShareBeyond * static_cast<double>(side.points.size());
+  }
+
+  // A gable of a slope and its mirror image.
+  void add_mirrored(const Slope& side) {
+    const double ridge = upper_edge(side), half = side.extents[side.axis].length();
+    const Extent width = {ridge - half, ridge + half};
+    Eigen::Vector2d p = side.middle();
+    p[side.axis] = ridge;
+    Rule roof = make_rule(RuleKind::kRoofHip);
+    roof.ridge = side.axis == 0 ? Axis::kY : Axis::kX;
+    roof[param::roof::kRise] = side.slope() * half;
+    roof[param::roof::kEaves] = std::max(1.0, side.at(p) - side.slope() * half);
+    roof[param::roof::kHipStart] = roof[param::roof::kHipEnd] = kCommonHip;
+    const Extent& along = side.extents[1 - side.axis];
+    const Extent& x = side.axis == 0 ? width : along;
+    const Extent& y = side.axis == 0 ? along : width;
+    PlaneBlock block;
+    block.roofed = {x.low, x.high, y.low, y.high, roof};
+    block.planes = side.planes;
+    block.pixels = static_cast<int>(side.points.size());
+    block.footprint_origin = "extent of " + named(side.planes) + " and its mirror image";
+    block.roof_origin = "slope of " + named(side.planes) + ", its counterpart hidden";
+    blocks_.push_back(std::move(block));
   }
 
   // One rectangle, or two where one is filled badly.
@@ -372,6 +426,7 @@ std::string check(const PlaneBlockOptions& options) {
   if (!(options.slope_ratio > 0.0 && options.slope_ratio < 1.0)) {
     return "slope_ratio must lie in (0, 1)";
   }
+  if (!(options.least_half_slope > 0.0)) return "least_half_slope must be positive";
   if (!(options.coplanar > 0.0)) return "coplanar must be positive";
   if (!(options.least_fill > 0.0 && options.least_fill < 1.0)) {
     return "least_fill must lie in (0, 1)";
