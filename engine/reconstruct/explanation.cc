@@ -99,9 +99,15 @@ std::string table_of(const std::vector<std::vector<std::string>>& rows, size_t n
       const std::string blanks(widths[i] - row[i].size(), ' ');
       text += "  " + (i < num_texts ? row[i] + blanks : blanks + row[i]);
     }
+    text.erase(text.find_last_not_of(' ') + 1);
     text += "\n";
   }
   return text;
+}
+
+/// Hypotheses are counted from 1.
+std::string hypothesis_text(const Candidate& c) {
+  return c.hypothesis < 0 ? "-" : std::to_string(c.hypothesis + 1);
 }
 
 std::string finalists_table(const std::vector<Candidate>& finalists) {
@@ -113,15 +119,57 @@ std::string finalists_table(const std::vector<Candidate>& finalists) {
         ", sigma = " + decimals(std::sqrt(first.squared_residuals / data_term(first)), 2) + " m";
   }
   std::vector<std::vector<std::string>> rows = {{"no.", "foundation", "roofs", "details", "source",
-                                                 "S/sigma^2", "k", "k ln N", "charges", "J"}};
+                                                 "hypothesis", "S/sigma^2", "k", "k ln N",
+                                                 "charges", "J"}};
   for (const Candidate& c : finalists) {
     rows.push_back({std::to_string(rows.size()), foundation_of(c), roofs_of(c.house),
                     details_text(c.house), std::string(value_source_name(c.source)),
-                    decimals(data_term(c.cost), 1), std::to_string(c.cost.num_parameters),
-                    decimals(parameters_price(c.cost), 1), decimals(c.cost.prior, 1),
-                    decimals(c.cost.total, 1)});
+                    hypothesis_text(c), decimals(data_term(c.cost), 1),
+                    std::to_string(c.cost.num_parameters), decimals(parameters_price(c.cost), 1),
+                    decimals(c.cost.prior, 1), decimals(c.cost.total, 1)});
   }
   return head + "\n" + table_of(rows, 5);
+}
+
+std::string given_up_table(const HouseChoice& choice) {
+  if (choice.given_up.empty()) return "";
+  std::vector<std::vector<std::string>> rows = {
+      {"hypothesis", "foundation", "roofs", "source", "given up", "J then"}};
+  for (const Candidate& c : choice.given_up) {
+    rows.push_back({hypothesis_text(c), foundation_of(c), roofs_of(c.house),
+                    std::string(value_source_name(c.source)),
+                    c.stage == ChoiceStage::kWide ? "wide stage" : "before details",
+                    decimals(c.cost.total, 1)});
+  }
+  return "  given up, with J as it was then; in the wide stage it ranks among its like alone\n" +
+         table_of(rows, 5);
+}
+
+std::string values_text(const Rule& rule) {
+  const auto specs = parameter_specs(rule.kind);
+  std::vector<std::string> values;
+  for (size_t i = 0; i < specs.size(); ++i) {
+    std::string value = std::string(specs[i].name) + " " + decimals(rule[static_cast<int>(i)], 2);
+    if (specs[i].unit != "1") value += " " + std::string(specs[i].unit);
+    values.push_back(value);
+  }
+  return joined(values);
+}
+
+std::string origins_table(const HouseChoice& choice, const Candidate& winner) {
+  if (winner.hypothesis < 0 || winner.hypothesis >= choice.num_hypotheses()) return "";
+  const FirstValue& first = choice.first_values[winner.hypothesis];
+  std::string text = "  first values of no. 1: hypothesis " + hypothesis_text(winner) + ", " +
+                     std::string(foundation_name(first.house.foundation)) + " from " +
+                     std::string(value_source_name(first.source));
+  if (first.house.foundation != winner.house.foundation) text += ", since rewritten";
+  std::vector<std::vector<std::string>> rows;
+  const auto rules = first.house.derivation();
+  for (size_t i = 0; i < rules.size(); ++i) {
+    rows.push_back({std::string(rule_name(rules[i]->kind)), values_text(*rules[i]),
+                    i < first.origins.size() ? first.origins[i] : ""});
+  }
+  return text + "\n" + table_of(rows, 3);
 }
 
 std::string lead_line(const std::vector<Candidate>& finalists) {
@@ -180,7 +228,8 @@ std::string explain(const TileBuilding& building) {
   std::string text = building.building.id + "\n" + first_values_line(choice);
   text += probabilities_line(choice);
   if (!finalists.empty()) {
-    text += finalists_table(finalists) + lead_line(finalists);
+    text += finalists_table(finalists) + given_up_table(choice);
+    text += origins_table(choice, finalists.front()) + lead_line(finalists);
     text += afterwards_line(finalists.front(), choice.best);
     if (!choice.found) text += "  it explains the heights no better than bare ground does\n";
   }

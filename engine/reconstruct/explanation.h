@@ -7,9 +7,10 @@
 namespace gable {
 
 /// How a building's house was chosen and why the building came out as it did, in lines of plain
-/// text that end with a newline: where first values came from, the probabilities of the foundation
-/// types where detectors were asked, the finalists with their penalised costs (best first), the
-/// winner's lead over the next of another foundation, what became of it, and the outcome. Costs are
+/// text that end with a newline: how many first values each source gave, the probabilities of the
+/// foundation types where detectors were asked, the finalists with their penalised costs (best
+/// first), the hypotheses that were given up, what the winner's first values were read from, its
+/// lead over the next of another foundation, what became of it, and the outcome. Costs are
 /// those of `PenalisedCost`; lengths in metres. The same building gives the same text.
 std::string explain(const TileBuilding& building);
 

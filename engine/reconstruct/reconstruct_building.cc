@@ -122,7 +122,10 @@ double robust_cost(const HeightImage& image, const RefinementOptions& options, c
 }  // namespace
 
 std::string check(const BuildingOptions& options) {
-  if (const std::string error = check(options.choice); !error.empty()) return error;
+  for (const std::string& error :
+       {check(options.choice), check(options.house_scales), check(options.scale_values)}) {
+    if (!error.empty()) return error;
+  }
   if (!(options.least_area >= 0.0 && options.least_area <= 1000.0)) {
     return "least_area must lie in [0, 1000] square metres";
   }
@@ -175,6 +178,12 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
     DetectedValues detected = detect(image);
     values.foundation = detected.foundation;
     values.houses = std::move(detected.houses);
+  }
+  if (options.scales) {
+    const HouseScales scales = house_scales(image, nullptr, options.house_scales);
+    for (FirstValue& value : scale_values(image, scales, options.scale_values)) {
+      values.houses.push_back(std::move(value));
+    }
   }
   extrusion.choice = choose_house(image, choice_options, values);
   const HouseChoice& choice = extrusion.choice;

@@ -4,6 +4,8 @@
 #include <gable/engine/io/building_model.h>
 #include <gable/engine/reconstruct/detected_values.h>
 #include <gable/engine/reconstruct/house_choice.h>
+#include <gable/engine/reconstruct/house_scales.h>
+#include <gable/engine/reconstruct/scale_values.h>
 #include <gable/engine/reconstruct/roof_closing.h>
 #include <gable/engine/solver/house_refinement.h>
 #include <gable/residuals/height_image.h>
@@ -14,6 +16,9 @@ namespace gable {
 
 struct BuildingOptions {
   HouseChoiceOptions choice;
+  bool scales = true;  ///< first values from the planes at the building's structural scales
+  HouseScalesOptions house_scales;
+  ScaleValuesOptions scale_values;
   RoofClosingOptions closing;
   /// Buildings with less measured area than this become extrusions, square metres, [0, 1000].
   double least_area = 4.0;

@@ -24,6 +24,7 @@ struct ReconstructOptions {
   OutputOptions output;
   TileFileOptions tile;
   DetectorOptions detectors;
+  bool no_scales = false, no_classical = false;
   std::string filter;
   std::vector<std::string> explain;  ///< ids
 };
@@ -100,6 +101,8 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
   tile_options.detectors = options.detectors.folder();
+  tile_options.building.scales = !options.no_scales;
+  tile_options.building.choice.classical = !options.no_classical;
   if (tile_options.detectors.empty() && !options.detectors.none) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
@@ -147,6 +150,11 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
       ->type_name("FILE")
       ->excludes(footprints);
   add_detector_options(command, &options->detectors);
+  command->add_flag("--no-scales", options->no_scales,
+                    "Take no first values from the planes at the buildings' structural scales");
+  command->add_flag("--no-classical", options->no_classical,
+                    "Do not search for first values in the heights; what no other source explains "
+                    "becomes an extrusion");
   command
       ->add_option("--explain", options->explain,
                    "Print how the house of the building with this id was chosen, and why the "

@@ -11,12 +11,6 @@ namespace {
 constexpr double kLeastVolume = 1e-3;
 constexpr double kLeastHeight = 1e-3;
 
-bool holds(const PlanPolygon& polygon, const Eigen::Vector2d& p) {
-  bool inside = ring_holds(polygon.outer, p);
-  for (const auto& hole : polygon.holes) inside = inside != ring_holds(hole, p);
-  return inside;
-}
-
 void append_ring(const Ring& ring, std::vector<PlanSegment>* segments) {
   for (size_t i = 0; i < ring.size(); ++i) {
     segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
@@ -85,7 +79,7 @@ std::optional<std::vector<Solid>> solids_of_partition(const RoofPartition& parti
 
 int region_at(const RoofPartition& partition, const Eigen::Vector2d& p) {
   for (size_t i = 0; i < partition.regions.size(); ++i) {
-    if (holds(partition.regions[i].polygon, p)) return static_cast<int>(i);
+    if (polygon_holds(partition.regions[i].polygon, p)) return static_cast<int>(i);
   }
   return -1;
 }

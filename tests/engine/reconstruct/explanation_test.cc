@@ -42,6 +42,13 @@ TileBuilding chosen() {
   choice.finalists = {candidate(Foundation::kI, 8.0, 7, 0.0, ValueSource::kDetectors),
                       candidate(Foundation::kI, 10.0, 7, 2.0, ValueSource::kClassical),
                       candidate(Foundation::kII, 8.4, 13, 30.0, ValueSource::kClassical)};
+  choice.finalists[0].hypothesis = 7;
+  choice.finalists[1].hypothesis = 0;
+  choice.first_values[7].house = make_house(Foundation::kL);
+  choice.first_values[7].origins = {"by the stars", "paced out", "guessed"};
+  choice.given_up = {candidate(Foundation::kU, 90.0, 12, 0.0, ValueSource::kScales)};
+  choice.given_up[0].hypothesis = 9;
+  choice.given_up[0].stage = ChoiceStage::kPriced;
   choice.finalists[2].house.roofs[1] = make_rule(RuleKind::kRoofFlat);
   choice.finalists[2].house.dormers.resize(2, make_rule(RuleKind::kDormer));
   choice.best = candidate(Foundation::kI, 7.0, 10, 0.0, ValueSource::kDetectors);
@@ -62,12 +69,14 @@ TEST(Explanation, EveryFinalistHasItsPartsAndItsCost) {
   const std::string text = explain(chosen());
   EXPECT_TRUE(text.starts_with("b12_34\n")) << text;
   EXPECT_THAT(text, HasSubstr("N = 400 pixels, sigma = 0.20 m\n"));
-  EXPECT_THAT(line_of(text, "    1 "),
-              MatchesRegex(" +1 +I +gable +none +detectors +200\\.0 +7 +41\\.9 +0\\.0 +241\\.9"));
-  EXPECT_THAT(line_of(text, "    2 "),
-              MatchesRegex(" +2 +I +gable +none +classical +250\\.0 +7 +41\\.9 +2\\.0 +293\\.9"));
+  EXPECT_THAT(
+      line_of(text, "    1 "),
+      MatchesRegex(" +1 +I +gable +none +detectors +8 +200\\.0 +7 +41\\.9 +0\\.0 +241\\.9"));
+  EXPECT_THAT(
+      line_of(text, "    2 "),
+      MatchesRegex(" +2 +I +gable +none +classical +1 +250\\.0 +7 +41\\.9 +2\\.0 +293\\.9"));
   EXPECT_THAT(line_of(text, "    3 "),
-              MatchesRegex(" +3 +II +gable, flat +2 dormers +classical +210\\.0 +13 +77\\.9 "
+              MatchesRegex(" +3 +II +gable, flat +2 dormers +classical +- +210\\.0 +13 +77\\.9 "
                            "+30\\.0 +317\\.9"));
   EXPECT_EQ(line_of(text, "    4 "), "");
 }
@@ -83,6 +92,24 @@ TEST(Explanation, SourcesAndProbabilitiesAreNamed) {
                         "L 0.125, U 0.062, C 0.062\n"));
   made.choice.foundation.reset();
   EXPECT_THAT(explain(made), Not(HasSubstr("probabilities")));
+}
+
+TEST(Explanation, WhatWasGivenUpIsListedWithItsCost) {
+  EXPECT_THAT(line_of(explain(chosen()), "    10 "),
+              MatchesRegex(" +10 +U +gable, gable, gable +scales +before details +2321\\.9"));
+  TileBuilding made = chosen();
+  made.choice.given_up.clear();
+  EXPECT_THAT(explain(made), Not(HasSubstr("given up")));
+}
+
+TEST(Explanation, EveryRuleOfTheWinnersFirstValuesHasItsOrigin) {
+  const std::string text = explain(chosen());
+  EXPECT_THAT(text, HasSubstr("first values of no. 1: hypothesis 8, L from detectors, since "
+                              "rewritten\n"));
+  EXPECT_THAT(line_of(text, "    azimuth"),
+              MatchesRegex(" +azimuth +azimuth 0\\.00 rad +by the stars"));
+  EXPECT_THAT(line_of(text, "    footprint_l"), MatchesRegex(".* m +paced out"));
+  EXPECT_THAT(line_of(text, "    roof_gable"), MatchesRegex(" +roof_gable +eaves .* m +guessed"));
 }
 
 TEST(Explanation, TheLeadIsOverTheNextOfAnotherFoundation) {

@@ -79,7 +79,7 @@ TEST(CheapestConfiguration, IsCoarserForWiderDeviations) {
   const int fine = cheapest_configuration(scan.points, scans, 0.05);
   const int coarse = cheapest_configuration(scan.points, scans, 3.0);
   EXPECT_GE(scans.trajectory.num_shapes(fine), 3);
-  EXPECT_EQ(scans.trajectory.num_shapes(coarse), 1);
+  EXPECT_LT(scans.trajectory.num_shapes(coarse), 3);
 }
 
 TEST(CheapestConfiguration, IsTheFirstOfAScanWithoutShapes) {
