@@ -23,6 +23,9 @@ constexpr double kNarrow = 1.4;
 // Lines at which a component may be split are first tried this far apart, metres.
 constexpr double kCoarse = 1.0;
 
+// Regions are arms of one block if their sides differ by no more than this, metres.
+constexpr double kAlignment = 1.5;
+
 // Of a region's box, lines of cells at its sides with a smaller share of the region are cut off.
 constexpr double kFullSide = 0.4;
 
@@ -104,6 +107,7 @@ class Proposer {
 
   std::vector<BlockProposal> proposals() {
     std::vector<double> unexplained(blocks_.size(), 0.0);
+    std::vector<CellRectangle> missing;
     for (const bool above : {true, false}) {
       const std::vector<PixelRegion> regions = unexplained_regions(above);
       for (size_t r = 0; r < std::min(regions.size(), kMostRegions); ++r) {
@@ -112,15 +116,23 @@ class Proposer {
           const int component = surface_.seen(i);
           if (component >= 0) unexplained[component] += cost_at(i, all_[i]);
         }
-        if (above && cost > price(kFlatBlockParameters)) add_block(regions[r]);
+        if (!above || !(cost > price(kFlatBlockParameters))) continue;
+        missing.push_back(bulk(regions[r]));
+        add_block(missing.back());
+      }
+    }
+    // Two arms of one block that crosses the house.
+    for (size_t a = 0; a < missing.size(); ++a) {
+      for (size_t b = a + 1; b < missing.size(); ++b) {
+        if (are_in_line(missing[a], missing[b])) add_block(around(missing[a], missing[b]));
       }
     }
     for (size_t b = 0; b < blocks_.size(); ++b) {
       if (unexplained[b] > price(kFlatBlockParameters)) split(static_cast<int>(b));
     }
-    std::stable_sort(
-        out_.begin(), out_.end(),
-        [](const BlockProposal& a, const BlockProposal& b) { return a.gain > b.gain; });
+    std::stable_sort(out_.begin(), out_.end(), [](const BlockProposal& a, const BlockProposal& b) {
+      return a.gain > b.gain;
+    });
     return std::move(out_);
   }
 
@@ -207,10 +219,9 @@ class Proposer {
         const cv::Rect box(col0, row0, col1 - col0, row1 - row0);
         return cv::countNonZero(mask(box)) / static_cast<double>(box.area());
       };
-      const double sides[] = {share(r.row0, r.row1, r.col0, r.col0 + 1),
-                              share(r.row0, r.row1, r.col1 - 1, r.col1),
-                              share(r.row0, r.row0 + 1, r.col0, r.col1),
-                              share(r.row1 - 1, r.row1, r.col0, r.col1)};
+      const double sides[] = {
+          share(r.row0, r.row1, r.col0, r.col0 + 1), share(r.row0, r.row1, r.col1 - 1, r.col1),
+          share(r.row0, r.row0 + 1, r.col0, r.col1), share(r.row1 - 1, r.row1, r.col0, r.col1)};
       const auto least = std::min_element(std::begin(sides), std::end(sides)) - std::begin(sides);
       if (sides[least] >= kFullSide) break;
       if (least == 0) ++r.col0;
@@ -223,9 +234,22 @@ class Proposer {
 
   bool is_long_enough(int cells) const { return cells * view_.cell >= kShortest; }
 
-  void add_block(const PixelRegion& region) {
+  // Whether one lies beyond the other along an axis and they are about as wide across it.
+  bool are_in_line(const CellRectangle& a, const CellRectangle& b) const {
+    const auto near = [&](int p, int q) { return std::abs(p - q) * view_.cell <= kAlignment; };
+    const bool columns = near(a.col0, b.col0) && near(a.col1, b.col1);
+    const bool rows = near(a.row0, b.row0) && near(a.row1, b.row1);
+    return (columns && (a.row1 <= b.row0 || b.row1 <= a.row0)) ||
+           (rows && (a.col1 <= b.col0 || b.col1 <= a.col0));
+  }
+
+  static CellRectangle around(const CellRectangle& a, const CellRectangle& b) {
+    return {std::min(a.col0, b.col0), std::max(a.col1, b.col1), std::min(a.row0, b.row0),
+            std::max(a.row1, b.row1)};
+  }
+
+  void add_block(const CellRectangle& r) {
     if (static_cast<int>(blocks_.size()) >= options_.most_blocks) return;
-    const CellRectangle r = bulk(region);
     if (!is_long_enough(r.cols()) || !is_long_enough(r.rows())) return;
     const RoofFit roof = best_roof(left_by(all_), r);
     BlockProposal proposal;
@@ -272,9 +296,9 @@ class Proposer {
     const RectifiedView left = left_by(base);
     const CellRectangle whole = cells_of(blocks_[component]);
     const double before =
-        cost_over(whole, all_, nullptr) +
-        price(blocks_[component].roof.kind == RuleKind::kRoofFlat ? kFlatBlockParameters
-                                                                  : kBlockParameters);
+        cost_over(whole, all_, nullptr) + price(blocks_[component].roof.kind == RuleKind::kRoofFlat
+                                                    ? kFlatBlockParameters
+                                                    : kBlockParameters);
     const int shortest = static_cast<int>(std::ceil(kShortest / view_.cell));
     const int step = std::max(1, static_cast<int>(std::lround(kCoarse / view_.cell)));
     for (const bool along_columns : {true, false}) {

@@ -11,8 +11,8 @@ namespace gable {
 
 /// Where a house is said to lack a block.
 struct BlockProposalOptions {
-  double least_residual = 0.4;  ///< of a cell to count as unexplained, metres, > 0
-  double least_area = 6.0;      ///< of cells that hang together, square metres, > 0
+  double least_residual = 0.3;  ///< of a cell to count as unexplained, metres, > 0
+  double least_area = 4.0;      ///< of cells that hang together, square metres, > 0
   LossKind loss = LossKind::kSoftL1;
   double loss_scale = 0.3;        ///< metres, > 0
   double parameter_price = 0.15;  ///< of one parameter in robust cost, square metres, >= 0
@@ -28,7 +28,8 @@ struct BlockProposal {
 
 /// Proposes changes where connected cells of one sign leave more unexplained than a block costs:
 ///
-/// - *addition*: where heights stand above the house, on it or beside it, a block over the region;
+/// - *addition*: where heights stand above the house, on it or beside it, a block over the region,
+///   or over two such regions that are the arms of one block across the house;
 /// - *split*: where a component leaves much unexplained (it stands over what is lower, or ridges
 ///   step), it is cut in two at the line along either axis that explains most. Each part gets a
 ///   roof of its own, or is given up.

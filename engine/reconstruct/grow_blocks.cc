@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace gable {
 namespace {
@@ -36,14 +38,28 @@ RectifiedView view_of(const HeightImage& image, double azimuth) {
   return rectify(image, azimuth, std::max({image.gsd, 0.5, side / 80.0}), 1.5);
 }
 
-// Drops components that no longer pay.
+RefinementOptions short_refinement(std::vector<RefinementStage> stages) {
+  RefinementOptions refinement;
+  refinement.function_tolerance = 1e-3;
+  refinement.deviations = false;
+  refinement.stages = std::move(stages);
+  return refinement;
+}
+
+// Drops components that do not pay once the others are refined without them: what a first value
+// got wrong may be covered by those that came later.
 void drop_blocks(const HeightImage& image, const GrowthOptions& options, Grown* grown) {
+  const PenaltyOptions& penalty = options.penalty;
+  const RefinementOptions refinement =
+      short_refinement({{0.5, LossKind::kGemanMcClure, 0.5, 1, 8},
+                        {penalty.support, penalty.loss, penalty.loss_scale, 1, 4}});
   for (int i = grown->house.num_components() - 1; i >= 0; --i) {
     if (grown->house.num_components() < 2) return;
     std::vector<RoofedRectangle> blocks = roofed_rectangles(grown->house);
     blocks.erase(blocks.begin() + i);
-    const House without = with_blocks(grown->house, blocks);
-    const PenalisedCost cost = penalised_cost(image, without, options.penalty);
+    House without = with_blocks(grown->house, blocks);
+    refine_house(image, refinement, &without);
+    const PenalisedCost cost = penalised_cost(image, without, penalty);
     if (cost.total < grown->cost.total) *grown = {without, cost};
   }
 }
@@ -51,10 +67,9 @@ void drop_blocks(const HeightImage& image, const GrowthOptions& options, Grown* 
 Grown refined(const HeightImage& image, const GrowthOptions& options, const House& house,
               const BlockProposal& proposal) {
   Grown grown{with_blocks(house, proposal.blocks), {}};
-  RefinementOptions refinement;
-  refinement.function_tolerance = 1e-3;
-  refinement.deviations = false;
-  refinement.stages = {{1.0, LossKind::kSoftL1, 0.3, 1, 10}};
+  // A loss that does not saturate bends a new block towards what belongs to its neighbours.
+  RefinementOptions refinement = short_refinement(
+      {{1.0, LossKind::kSoftL1, 0.3, 1, 10}, {0.5, LossKind::kGemanMcClure, 0.5, 1, 8}});
   for (int block : proposal.changed) {
     refinement.only_rules.push_back(grown.house.footprint_block(block));
     refinement.only_rules.push_back(grown.house.roof_block(block));
@@ -62,13 +77,12 @@ Grown refined(const HeightImage& image, const GrowthOptions& options, const Hous
   refine_house(image, refinement, &grown.house);
   const PenaltyOptions& penalty = options.penalty;
   refinement.only_rules.clear();
-  refinement.stages = {{0.5, penalty.loss, penalty.loss_scale, 1, 8},
+  refinement.stages = {{0.5, LossKind::kGemanMcClure, 0.5, 1, 8},
                        {penalty.support, penalty.loss, penalty.loss_scale, 1, 8}};
   refine_house(image, refinement, &grown.house);
   drop_unpaid(image, options.detail_penalty, &grown.house);
   simplify_roofs(image, penalty, &grown.house);
   grown.cost = penalised_cost(image, grown.house, penalty);
-  drop_blocks(image, options, &grown);
   return grown;
 }
 
@@ -112,6 +126,7 @@ bool grow_blocks(const HeightImage& image, const GrowthOptions& options, House* 
     now = std::move(best);
   }
   if (!(now.cost.total < cost->total)) return false;
+  drop_blocks(image, options, &now);
   *house = std::move(now.house);
   *cost = now.cost;
   return true;

@@ -44,8 +44,8 @@ TEST(PixelRegions, AreThoseThatAFloodFillsWithTheirBoxes) {
     for (const PixelRegion& region : connected_regions(mask)) {
       sum += region.pixels.size();
       const std::set<size_t> flood = reached(mask, region.pixels.front());
-      EXPECT_TRUE(std::equal(flood.begin(), flood.end(), region.pixels.begin(),
-                             region.pixels.end()));
+      EXPECT_TRUE(
+          std::equal(flood.begin(), flood.end(), region.pixels.begin(), region.pixels.end()));
       PixelBox box{mask.rows, 0, mask.cols, 0};
       for (size_t i : flood) {
         const int row = static_cast<int>(i) / mask.cols, col = static_cast<int>(i) % mask.cols;
