@@ -20,6 +20,9 @@ constexpr double kShortest = 1.9;
 // Unexplained cells in parts narrower than this are walls that lie a little off, metres.
 constexpr double kNarrow = 1.4;
 
+// Fewer cells say little of a block's size, however large they are.
+constexpr size_t kFewestCells = 10;
+
 // Lines at which a component may be split are first tried this far apart, metres.
 constexpr double kCoarse = 1.0;
 
@@ -49,8 +52,9 @@ class Surface {
       const std::span<const Block<double>> one(&field.blocks()[b], 1);
       const bool component = field.sources()[b].role == BlockRole::kComponent;
       std::vector<float> heights(view.height.size(), kNothing);
-      for (int row = 0; row < view.rows; ++row) {
-        for (int col = 0; col < view.cols; ++col) {
+      const CellRectangle near = cells_around(field.blocks()[b]);
+      for (int row = near.row0; row < near.row1; ++row) {
+        for (int col = near.col0; col < near.col1; ++col) {
           const Layers<double> seen = layers_at<double, double>(
               one, view.x_edge(col) + 0.5 * view.cell, view.y_edge(row) + 0.5 * view.cell, 0.0);
           if (seen.count == 0) continue;
@@ -90,6 +94,18 @@ class Surface {
   }
 
  private:
+  // No cell beyond these has its centre in the block.
+  CellRectangle cells_around(const Block<double>& block) const {
+    using namespace block_value;
+    const auto cell = [&](double at, double from, int most) {
+      return static_cast<int>(std::clamp((at - from) / view_.cell, 0.0, static_cast<double>(most)));
+    };
+    return {cell(block[kX0], view_.x0, view_.cols),
+            std::min(view_.cols, cell(block[kX1], view_.x0, view_.cols) + 1),
+            cell(block[kY0], view_.y0, view_.rows),
+            std::min(view_.rows, cell(block[kY1], view_.y0, view_.rows) + 1)};
+  }
+
   const RectifiedView& view_;
   std::vector<float> rest_;  // ground, garages and details
   std::vector<std::vector<float>> components_;
@@ -164,8 +180,9 @@ class Proposer {
     cv::morphologyEx(mask, mask, cv::MORPH_OPEN, cv::Mat::ones(width, width, CV_8U));
     std::vector<PixelRegion> regions = largest_regions(mask);
     std::erase_if(regions, [&](const PixelRegion& region) {
-      return static_cast<double>(region.pixels.size()) * view_.cell * view_.cell <
-             options_.least_area;
+      return region.pixels.size() < kFewestCells ||
+             static_cast<double>(region.pixels.size()) * view_.cell * view_.cell <
+                 options_.least_area;
     });
     return regions;
   }
