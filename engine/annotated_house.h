@@ -32,6 +32,7 @@ int num_annotated_roofs(Foundation foundation);
 int num_annotated_corners(Foundation foundation);
 
 /// A real building as somebody who looked at its heights described it. World coordinates, metres.
+/// What has more than three blocks is C here, as it is to the detectors.
 struct AnnotatedHouse {
   std::string id;
   Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< of the outline's box along the azimuth

@@ -6,13 +6,14 @@
 namespace gable {
 namespace {
 
-constexpr std::array<std::pair<Foundation, std::string_view>, 6> kFoundationNames = {{
+constexpr std::array<std::pair<Foundation, std::string_view>, kNumFoundationTypes> kFoundationNames = {{
     {Foundation::kI, "I"},
     {Foundation::kII, "II"},
     {Foundation::kIII, "III"},
     {Foundation::kL, "L"},
     {Foundation::kU, "U"},
     {Foundation::kC, "C"},
+    {Foundation::kMany, "N"},
 }};
 
 RuleKind footprint_kind(Foundation foundation) {
@@ -26,8 +27,9 @@ RuleKind footprint_kind(Foundation foundation) {
   }
 }
 
-int num_footprints(Foundation foundation) {
-  return footprint_kind(foundation) == RuleKind::kFootprintI ? num_components(foundation) : 1;
+// How many footprints a foundation of so many components has.
+int num_footprints(Foundation foundation, int components) {
+  return footprint_kind(foundation) == RuleKind::kFootprintI ? components : 1;
 }
 
 bool is_roof(RuleKind kind) {
@@ -64,7 +66,7 @@ bool foundation_from_name(std::string_view name, Foundation* foundation) {
 }
 
 int num_components(Foundation foundation) {
-  constexpr std::array<int, 6> kComponents = {1, 2, 3, 2, 3, 0};
+  constexpr std::array<int, kNumFoundationTypes> kComponents = {1, 2, 3, 2, 3, 0, 4};
   return kComponents[static_cast<int>(foundation)];
 }
 
@@ -81,8 +83,13 @@ int House::num_parameters() const {
 bool is_well_formed(const House& house) {
   if (house.foundation == Foundation::kC) return false;
   if (house.azimuth.kind != RuleKind::kAzimuth) return false;
-  if (static_cast<int>(house.footprints.size()) != num_footprints(house.foundation)) return false;
-  if (house.num_components() != num_components(house.foundation)) return false;
+  const int components = house.num_components(), expected = num_components(house.foundation);
+  if (house.foundation == Foundation::kMany ? components < expected : components != expected) {
+    return false;
+  }
+  if (static_cast<int>(house.footprints.size()) != num_footprints(house.foundation, components)) {
+    return false;
+  }
   for (const Rule& r : house.footprints) {
     if (r.kind != footprint_kind(house.foundation)) return false;
   }
@@ -105,8 +112,10 @@ bool is_well_formed(const House& house) {
 House make_house(Foundation foundation) {
   House house;
   house.foundation = foundation;
-  house.footprints.assign(num_footprints(foundation), make_rule(footprint_kind(foundation)));
-  house.roofs.assign(num_components(foundation), make_rule(RuleKind::kRoofGable));
+  const int components = num_components(foundation);
+  house.footprints.assign(num_footprints(foundation, components),
+                          make_rule(footprint_kind(foundation)));
+  house.roofs.assign(components, make_rule(RuleKind::kRoofGable));
   if (foundation == Foundation::kL || foundation == Foundation::kU) {
     for (size_t i = 1; i < house.roofs.size(); ++i) house.roofs[i].ridge = Axis::kY;
   }

@@ -8,10 +8,15 @@
 
 namespace gable {
 
-/// The branches of the foundation rule (NPR section 3). kC means "not in the grammar".
-enum class Foundation { kI, kII, kIII, kL, kU, kC };
+/// The branches of the foundation rule (NPR section 3). kC means "not in the grammar". kMany
+/// continues I, II, III: four or more I components generated in sequence, which the paper leaves
+/// to C. It comes last: the detectors number the six of the paper.
+enum class Foundation { kI, kII, kIII, kL, kU, kC, kMany };
 
-/// "I", "II", "III", "L", "U" or "C".
+/// How many there are, for arrays by Foundation.
+inline constexpr int kNumFoundationTypes = 7;
+
+/// "I", "II", "III", "L", "U", "C" or "N" (kMany).
 std::string_view foundation_name(Foundation foundation);
 
 /// Inverse of `foundation_name`. Returns false where no foundation has that name.
@@ -24,7 +29,7 @@ bool foundation_from_name(std::string_view name, Foundation* foundation);
 /// footprints are axis-aligned. Every height parameter is in metres above `origin.z()`.
 ///
 /// Invariants (see `is_well_formed`): I, II, III have 1, 2, 3 footprints of kind kFootprintI and as
-/// many roofs; L has one kFootprintL and two roofs (wing x, wing y); U one kFootprintU and three
+/// many roofs, N four or more; L has one kFootprintL and two roofs (wing x, wing y); U one kFootprintU and three
 /// roofs (base, left, right). A roof covers one rectangle, its component.
 struct House {
   Foundation foundation = Foundation::kI;
@@ -66,11 +71,12 @@ struct House {
 /// Whether the invariants of House hold.
 bool is_well_formed(const House& house);
 
-/// Number of components of a foundation: 1, 2, 3, 2, 3; 0 for kC.
+/// Number of components of a foundation: 1, 2, 3, 2, 3; 0 for kC; 4 for kMany, which has so many or
+/// more (House::num_components).
 int num_components(Foundation foundation);
 
 /// A house of the given foundation with every rule at its table's initial values: gable roofs,
-/// ridges along the longer side of their wing.
+/// ridges along the longer side of their wing. kMany with four components.
 House make_house(Foundation foundation);
 
 }  // namespace gable

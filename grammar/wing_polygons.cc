@@ -79,7 +79,8 @@ House blocks_house(const std::vector<RoofedRectangle>& blocks, double azimuth) {
   House house;
   house.foundation = blocks.size() == 1   ? Foundation::kI
                      : blocks.size() == 2 ? Foundation::kII
-                                          : Foundation::kIII;
+                     : blocks.size() == 3 ? Foundation::kIII
+                                          : Foundation::kMany;
   house.azimuth[0] = azimuth;
   for (const RoofedRectangle& r : blocks) {
     Rule footprint = make_rule(RuleKind::kFootprintI);

@@ -25,7 +25,7 @@ House l_house(const RoofedRectangle& along_x, const RoofedRectangle& along_y, co
 House u_house(const RoofedRectangle& base, const RoofedRectangle& wing_a,
               const RoofedRectangle& wing_b, const Side& open, double azimuth);
 
-/// The I, II or III of one to three rectangles.
+/// The I, II, III or N of one, two, three, or four and more rectangles.
 House blocks_house(const std::vector<RoofedRectangle>& blocks, double azimuth);
 
 /// The rectangles and roofs of a house's components, in its own frame.

@@ -86,7 +86,7 @@ void match(const House& truth, const House& house, const std::vector<Rule>& trut
 }
 
 int run(int per_type, uint64_t first_seed, bool verbose) {
-  int confusion[5][6] = {};
+  int confusion[5][kNumFoundationTypes] = {};
   std::vector<double> errors, ious, times;
   Detections dormers, chimneys, garages;
   for (int t = 0; t < 5; ++t) {
@@ -148,10 +148,10 @@ int run(int per_type, uint64_t first_seed, bool verbose) {
     }
   }
   int right = 0;
-  std::printf("truth \\ found   I   II  III    L    U    C\n");
+  std::printf("truth \\ found   I   II  III    L    U    C    N\n");
   for (int t = 0; t < 5; ++t) {
     std::printf("%13s", std::string(foundation_name(kTypes[t])).c_str());
-    for (int g = 0; g < 6; ++g) std::printf(" %4d", confusion[t][g]);
+    for (const int count : confusion[t]) std::printf(" %4d", count);
     std::printf("\n");
     right += confusion[t][t];
   }

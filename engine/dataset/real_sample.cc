@@ -73,11 +73,14 @@ RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& o
     return RealSampleVerdict::kPoorFit;
   }
   const double gap = options.least_gap * std::sqrt(pixels / 100.0);
-  const Foundation type = building.building.house->foundation;
-  return lead_of(building.choice) < gap ||
-                 !is_probable(building.choice, type, options.least_probability)
-             ? RealSampleVerdict::kCloseSecond
-             : RealSampleVerdict::kHouse;
+  // What has more than three blocks is C to the detectors.
+  const bool many = building.building.house->foundation == Foundation::kMany;
+  const Foundation type = many ? Foundation::kC : building.building.house->foundation;
+  if (lead_of(building.choice) < gap ||
+      !is_probable(building.choice, type, options.least_probability)) {
+    return RealSampleVerdict::kCloseSecond;
+  }
+  return many ? RealSampleVerdict::kBeyondGrammar : RealSampleVerdict::kHouse;
 }
 
 std::optional<TrainingSample> real_sample(const TileBuilding& building,

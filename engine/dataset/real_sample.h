@@ -42,7 +42,7 @@ double outline_iou(const TileBuilding& building);
 RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& options);
 
 /// The sample of a reconstructed building that teaches: its house, or class C where it is beyond
-/// the grammar. Its dormers, chimneys and garages are not all known. Nothing for the others.
+/// the grammar or has more blocks than the detectors name. Its dormers, chimneys and garages are not all known. Nothing for the others.
 std::optional<TrainingSample> real_sample(const TileBuilding& building,
                                           const RealSampleOptions& options);
 

@@ -18,6 +18,8 @@ inline constexpr char kHouseNet[] = "house.onnx";
 inline constexpr char kRoofNet[] = "roof.onnx";
 inline constexpr char kAzimuthNet[] = "azimuth.onnx";
 
+/// The foundations that the networks tell apart, the paper's six: those before Foundation::kMany,
+/// which is C to them.
 inline constexpr int kNumFoundations = 6;
 
 /// What house.onnx says of one crop.

@@ -54,10 +54,10 @@ struct TruthScore {
 
 /// Figures over all truth buildings.
 struct TruthSummary {
-  /// Rows: truth, columns: found, both in the order I, II, III, L, U, C; the last column counts the
-  /// missed ones.
-  static constexpr int kMissed = 6;
-  std::array<std::array<int, 7>, 6> confusion{};
+  /// Rows: truth, columns: found, both in the order of Foundation (I, II, III, L, U, C, N); the
+  /// last column counts the missed ones.
+  static constexpr int kMissed = kNumFoundationTypes;
+  std::array<std::array<int, kNumFoundationTypes + 1>, kNumFoundationTypes> confusion{};
   double foundation_accuracy = 0.0;  ///< share of the truth buildings; a missed one is wrong
   double mean_iou = 0.0;             ///< over the truth buildings; a missed one counts 0
   int matched = 0;

@@ -75,7 +75,7 @@ std::vector<std::vector<Eigen::Vector2d>> rings(const Json& json, const std::str
 Foundation foundation(const Json& json, const std::string& key) {
   Foundation foundation = Foundation::kC;
   const std::string name = text(json, key);
-  require(foundation_from_name(name, &foundation),
+  require(foundation_from_name(name, &foundation) && foundation != Foundation::kMany,
           "\"" + key + "\": \"" + name + "\" is none of I, II, III, L, U, C");
   return foundation;
 }

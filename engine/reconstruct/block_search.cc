@@ -103,25 +103,6 @@ LShape l_shape(const CellRectangle& base, const CellRectangle& wing) {
   return shape;
 }
 
-Rule roof_rule(const RoofFit& fit) {
-  Rule rule = make_rule(fit.flat ? RuleKind::kRoofFlat : RuleKind::kRoofHip);
-  rule.ridge = fit.ridge;
-  rule[param::roof::kEaves] = std::max(fit.eaves, 1.0);
-  if (!fit.flat) {
-    rule[param::roof::kRise] = fit.rise;
-    // The paper's common 0.1 where the fit sees a gable: a ratio of 0 has no derivative.
-    rule[param::roof::kHipStart] = std::max(fit.hip_start, 0.1);
-    rule[param::roof::kHipEnd] = std::max(fit.hip_end, 0.1);
-  }
-  return rule;
-}
-
-RoofedRectangle roofed(const RectifiedView& view, const RoofFit& fit) {
-  const CellRectangle& r = fit.rectangle;
-  return {view.x_edge(r.col0), view.x_edge(r.col1), view.y_edge(r.row0), view.y_edge(r.row1),
-          roof_rule(fit)};
-}
-
 // Keeps the best `count`, leaving out those that differ from a better one by edges closer than
 // `near` cells.
 class BestSet {
@@ -307,7 +288,7 @@ std::vector<Hypothesis> search_blocks(const RectifiedView& view, const Eigen::Ve
     house.origin = origin;
     out.push_back({std::move(house), gain});
   };
-  const auto block = [&](int index) { return roofed(view, fits[index]); };
+  const auto block = [&](int index) { return roofed_rectangle(view, fits[index]); };
   for (const BestSet* set : {&singles, &pairs, &triples}) {
     for (const Scored& s : set->distinct()) {
       std::vector<RoofedRectangle> blocks;

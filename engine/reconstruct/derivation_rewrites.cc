@@ -89,28 +89,6 @@ void carry_details(const House& from, House* to) {
   }
 }
 
-// Dormers stand on a component by number; after a rewrite they stand where their centre lies.
-void reassign_dormers(House* house) {
-  const std::vector<RoofedRectangle> rectangles = roofed_rectangles(*house);
-  std::vector<Rule> kept;
-  for (Rule dormer : house->dormers) {
-    dormer.component = -1;
-    double top = 0.0;
-    for (size_t i = 0; i < rectangles.size(); ++i) {
-      const RoofedRectangle& r = rectangles[i];
-      const double height =
-          r.roof[param::roof::kEaves] + (r.roof.size() > 1 ? r.roof[param::roof::kRise] : 0.0);
-      if (dormer[0] < r.x0 || dormer[0] > r.x1 || dormer[1] < r.y0 || dormer[1] > r.y1) continue;
-      if (dormer.component < 0 || height > top) {
-        dormer.component = static_cast<int>(i);
-        top = height;
-      }
-    }
-    if (dormer.component >= 0) kept.push_back(dormer);
-  }
-  house->dormers = kept;
-}
-
 void add(const House& from, House house, std::vector<House>* out) {
   carry_details(from, &house);
   reassign_dormers(&house);
@@ -205,6 +183,27 @@ void add_garage(const House& house, const std::vector<RoofedRectangle>& blocks,
 }
 
 }  // namespace
+
+void reassign_dormers(House* house) {
+  const std::vector<RoofedRectangle> rectangles = roofed_rectangles(*house);
+  std::vector<Rule> kept;
+  for (Rule dormer : house->dormers) {
+    dormer.component = -1;
+    double top = 0.0;
+    for (size_t i = 0; i < rectangles.size(); ++i) {
+      const RoofedRectangle& r = rectangles[i];
+      const double height =
+          r.roof[param::roof::kEaves] + (r.roof.size() > 1 ? r.roof[param::roof::kRise] : 0.0);
+      if (dormer[0] < r.x0 || dormer[0] > r.x1 || dormer[1] < r.y0 || dormer[1] > r.y1) continue;
+      if (dormer.component < 0 || height > top) {
+        dormer.component = static_cast<int>(i);
+        top = height;
+      }
+    }
+    if (dormer.component >= 0) kept.push_back(dormer);
+  }
+  house->dormers = kept;
+}
 
 std::vector<House> rewrites(const House& house, const RewriteOptions& options) {
   const std::vector<RoofedRectangle> blocks = roofed_rectangles(house);

@@ -18,4 +18,8 @@ struct RewriteOptions {
 /// the other this way.
 std::vector<House> rewrites(const House& house, const RewriteOptions& options);
 
+/// Dormers stand on a component by number; after components have changed, puts each on the highest
+/// under its centre, and takes those away that have none.
+void reassign_dormers(House* house);
+
 }  // namespace gable

@@ -1,5 +1,6 @@
 #include <gable/engine/reconstruct/classical_values.h>
 #include <gable/engine/reconstruct/derivation_rewrites.h>
+#include <gable/engine/reconstruct/grow_blocks.h>
 #include <gable/engine/reconstruct/house_choice.h>
 #include <gable/engine/reconstruct/roof_simplification.h>
 #include <gable/grammar/height_field.h>
@@ -108,6 +109,24 @@ void finish(const HeightImage& image, const PenaltyOptions& penalty,
   c->cost = penalised_cost(image, c->house, penalty);
 }
 
+// Puts the best few finalists, grown by more blocks, beside those they grew from.
+void add_grown(const HeightImage& image, const HouseChoiceOptions& options,
+               const LeftoverOptions& leftovers, const PenaltyOptions& penalty,
+               std::vector<Candidate>* finalists) {
+  std::stable_sort(
+      finalists->begin(), finalists->end(),
+      [](const Candidate& a, const Candidate& b) { return a.cost.total < b.cost.total; });
+  const size_t count = std::min(finalists->size(), static_cast<size_t>(options.growing));
+  for (size_t i = 0; i < count; ++i) {
+    Candidate c = (*finalists)[i];
+    GrowthOptions growth;
+    growth.penalty = penalty;
+    growth.detail_penalty = leftovers.penalty;
+    growth.most_blocks = options.most_blocks;
+    if (grow_blocks(image, growth, &c.house, &c.cost)) finalists->push_back(std::move(c));
+  }
+}
+
 }  // namespace
 
 std::string check(const HouseChoiceOptions& options) {
@@ -127,6 +146,8 @@ std::string check(const HouseChoiceOptions& options) {
   if (!(options.skipped_probability >= 0.0 && options.skipped_probability <= 1.0)) {
     return "skipped_probability must lie in [0, 1]";
   }
+  if (options.most_blocks < 1 || options.most_blocks > 20) return "most_blocks must lie in [1, 20]";
+  if (options.growing < 0 || options.growing > 20) return "growing must lie in [0, 20]";
   return "";
 }
 
@@ -136,14 +157,15 @@ int HouseChoice::num_from(ValueSource source) const {
                     [&](const FirstValue& value) { return value.source == source; }));
 }
 
-std::array<double, kNumFoundations> foundation_charges(
+std::array<double, kNumFoundationTypes> foundation_charges(
     const std::array<float, kNumFoundations>& probabilities, const HouseChoiceOptions& options) {
   const std::array<double, kNumFoundations> among = among_houses(probabilities);
-  std::array<double, kNumFoundations> charges{};
+  std::array<double, kNumFoundationTypes> charges{};
   for (int i = 0; i < kC; ++i) {
     const double p = std::clamp(among[i], options.least_probability, 1.0);
     charges[i] = -2.0 * options.type_weight * std::log(p);
   }
+  charges[static_cast<size_t>(Foundation::kMany)] = charges[static_cast<size_t>(Foundation::kIII)];
   return charges;
 }
 
@@ -245,6 +267,7 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
     }
     finish(image, penalty, leftovers.penalty, &c);
   }
+  add_grown(image, options, leftovers, penalty, &finalists);
   cheapest = std::numeric_limits<double>::infinity();
   for (const Candidate& c : finalists) cheapest = std::min(cheapest, c.cost.total);
   // Each rewrite may be rewritten once more: a III to an L with a garage, say.

@@ -33,6 +33,10 @@ struct HouseChoiceOptions {
   /// Hypotheses of the classical search of types less probable than this are dropped, [0, 1], but
   /// never all.
   double skipped_probability = 0.0;
+
+  /// The best hypotheses grow to so many blocks where these pay, [1, 20]. See grow_blocks.h.
+  int most_blocks = 8;
+  int growing = 2;  ///< how many hypotheses are grown, [0, 20]
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
@@ -75,7 +79,8 @@ struct HouseChoice {
 
 /// What each foundation, C left out, is charged in the penalised cost: twice the negative logarithm
 /// of its probability among the five, which is at least `least_probability`, times `type_weight`.
-std::array<double, kNumFoundations> foundation_charges(
+/// N, which the detectors do not name, is charged as III.
+std::array<double, kNumFoundationTypes> foundation_charges(
     const std::array<float, kNumFoundations>& probabilities, const HouseChoiceOptions& options);
 
 /// Chooses a house: first values of every foundation type from the heights and those of `others`;

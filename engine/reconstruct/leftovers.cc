@@ -1,22 +1,14 @@
 #include <gable/engine/reconstruct/leftovers.h>
+#include <gable/engine/reconstruct/pixel_regions.h>
 #include <gable/engine/solver/house_refinement.h>
 #include <gable/grammar/height_field.h>
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
 namespace gable {
 namespace {
-
-struct PixelBox {
-  int row0 = 0, row1 = 0, col0 = 0, col1 = 0;  // half-open
-};
-
-struct Region {
-  std::vector<size_t> pixels;
-  PixelBox box;
-};
 
 // The part of an image around a box, for refinements that move one rule only.
 HeightImage crop(const HeightImage& image, PixelBox box, double margin) {
@@ -41,32 +33,12 @@ HeightImage crop(const HeightImage& image, PixelBox box, double margin) {
   return out;
 }
 
-std::vector<Region> regions_of(const cv::Mat& mask, const HeightImage& image) {
-  cv::Mat labels;
-  const int count = cv::connectedComponents(mask, labels, 8, CV_32S);
-  std::vector<Region> regions(std::max(0, count - 1));
-  for (int row = 0; row < image.rows; ++row) {
-    for (int col = 0; col < image.cols; ++col) {
-      const int label = labels.at<int>(row, col);
-      if (label == 0) continue;
-      Region& region = regions[label - 1];
-      if (region.pixels.empty()) region.box = {row, row + 1, col, col + 1};
-      region.pixels.push_back(image.index(row, col));
-      region.box.row0 = std::min(region.box.row0, row);
-      region.box.row1 = std::max(region.box.row1, row + 1);
-      region.box.col0 = std::min(region.box.col0, col);
-      region.box.col1 = std::max(region.box.col1, col + 1);
-    }
-  }
-  return regions;
-}
-
 // A region's extent in the house frame, pixels as squares of their true area.
 struct HouseBox {
   double x0, x1, y0, y1;
 };
 
-HouseBox house_box(const HeightImage& image, const HeightField& field, const Region& region) {
+HouseBox house_box(const HeightImage& image, const HeightField& field, const PixelRegion& region) {
   std::vector<double> xs, ys;
   for (size_t i : region.pixels) {
     const Eigen::Vector2d p = field.house_from_local(
@@ -82,7 +54,7 @@ HouseBox house_box(const HeightImage& image, const HeightField& field, const Reg
           ys[ys.size() - 1 - trim] + half};
 }
 
-double mean_height(const HeightImage& image, const Region& region) {
+double mean_height(const HeightImage& image, const PixelRegion& region) {
   double sum = 0.0;
   for (size_t i : region.pixels) sum += image.height[i];
   return sum / static_cast<double>(region.pixels.size());
@@ -107,7 +79,7 @@ double fit_one(const HeightImage& window, int rule, double price, const PenaltyO
 }
 
 // What a rule that explains a region perfectly would save.
-double most_gain(const HeightImage& image, const HeightField& field, const Region& region,
+double most_gain(const HeightImage& image, const HeightField& field, const PixelRegion& region,
                  const PenaltyOptions& penalty) {
   const RobustLoss loss(penalty.loss, penalty.loss_scale);
   double sum = 0.0;
@@ -129,7 +101,7 @@ void keep_better(double gain, const House& house, Proposal* best) {
 }
 
 // The pixels of a region within 0.4 m of its commonest height.
-Region flat_part(const HeightImage& image, const Region& region) {
+PixelRegion flat_part(const HeightImage& image, const PixelRegion& region) {
   std::vector<float> heights;
   for (size_t i : region.pixels) heights.push_back(image.height[i]);
   std::sort(heights.begin(), heights.end());
@@ -142,7 +114,7 @@ Region flat_part(const HeightImage& image, const Region& region) {
       best_begin = begin;
     }
   }
-  Region flat = region;
+  PixelRegion flat = region;
   flat.pixels.clear();
   for (size_t i : region.pixels) {
     const float above = image.height[i] - heights[best_begin];
@@ -180,7 +152,7 @@ double fitting_share(const HeightImage& image, const House& house) {
   return seen > 0 ? static_cast<double>(near) / seen : 0.0;
 }
 
-void propose_on_roof(const HeightImage& image, const Region& region, double price,
+void propose_on_roof(const HeightImage& image, const PixelRegion& region, double price,
                      const LeftoverOptions& options, const House& house, Proposal* best) {
   const HeightField field(house);
   const HouseBox box = house_box(image, field, region);
@@ -244,7 +216,7 @@ void propose_on_roof(const HeightImage& image, const Region& region, double pric
   }
 }
 
-void propose_beside(const HeightImage& image, const Region& region, double price,
+void propose_beside(const HeightImage& image, const PixelRegion& region, double price,
                     const LeftoverOptions& options, const House& house, Proposal* best) {
   const HeightField field(house);
   const HouseBox box = house_box(image, field, region);
@@ -261,7 +233,7 @@ void propose_beside(const HeightImage& image, const Region& region, double price
   };
   attempt(garage_rectangle(box, height));
   // The flat part of a region that holds more than a garage.
-  const Region flat = flat_part(image, region);
+  const PixelRegion flat = flat_part(image, region);
   if (flat.pixels.size() < region.pixels.size()) {
     attempt(garage_rectangle(house_box(image, field, flat), mean_height(image, flat)));
   }
@@ -292,11 +264,8 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
   const double pixel_area = image.gsd * image.gsd;
   int added = 0;
   // Beside first: a garage's edge is the wall, and larger regions first.
-  std::vector<Region> regions = regions_of(beside, image);
-  std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
-    return a.pixels.size() > b.pixels.size();
-  });
-  for (const Region& region : regions) {
+  std::vector<PixelRegion> regions = largest_regions(beside);
+  for (const PixelRegion& region : regions) {
     if (static_cast<double>(region.pixels.size()) * pixel_area < options.least_garage_area) break;
     Proposal best;
     propose_beside(image, region, price, options, *house, &best);
@@ -306,11 +275,8 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
     }
   }
   const double cheapest_on_roof = charged_parameters(make_rule(RuleKind::kChimney));
-  regions = regions_of(on_roof, image);
-  std::stable_sort(regions.begin(), regions.end(), [](const Region& a, const Region& b) {
-    return a.pixels.size() > b.pixels.size();
-  });
-  for (const Region& region : regions) {
+  regions = largest_regions(on_roof);
+  for (const PixelRegion& region : regions) {
     const double area = static_cast<double>(region.pixels.size()) * pixel_area;
     if (region.pixels.size() < 2 || area > options.most_roof_area) continue;
     if (most_gain(image, field, region, options.penalty) < cheapest_on_roof * price) continue;

@@ -33,7 +33,7 @@ struct PenaltyOptions {
   double loss_scale = 0.3;  ///< metres
   double noise = 0.15;      ///< sigma, metres, > 0
   /// Charge of each foundation, by Foundation: none unless something is known beforehand.
-  std::array<double, 6> foundation_charge{};
+  std::array<double, kNumFoundationTypes> foundation_charge{};
 };
 
 /// S alone.

@@ -21,6 +21,19 @@ double shape_at(double u, double v, double length, double width, double start_ru
   return t;
 }
 
+Rule roof_rule(const RoofFit& fit) {
+  Rule rule = make_rule(fit.flat ? RuleKind::kRoofFlat : RuleKind::kRoofHip);
+  rule.ridge = fit.ridge;
+  rule[param::roof::kEaves] = std::max(fit.eaves, 1.0);
+  if (!fit.flat) {
+    rule[param::roof::kRise] = fit.rise;
+    // The paper's common 0.1 where the fit sees a gable: a ratio of 0 has no derivative.
+    rule[param::roof::kHipStart] = std::max(fit.hip_start, 0.1);
+    rule[param::roof::kHipEnd] = std::max(fit.hip_end, 0.1);
+  }
+  return rule;
+}
+
 }  // namespace
 
 RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis ridge,
@@ -117,6 +130,12 @@ RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis
     }
   }
   return best;
+}
+
+RoofedRectangle roofed_rectangle(const RectifiedView& view, const RoofFit& fit) {
+  const CellRectangle& r = fit.rectangle;
+  return {view.x_edge(r.col0), view.x_edge(r.col1), view.y_edge(r.row0), view.y_edge(r.row1),
+          roof_rule(fit)};
 }
 
 }  // namespace gable

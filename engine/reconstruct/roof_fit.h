@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gable/engine/reconstruct/rectified_view.h>
-#include <gable/grammar/rule.h>
+#include <gable/grammar/wing_polygons.h>
 
 #include <vector>
 
@@ -35,5 +35,9 @@ struct RoofFit {
 /// ridge costs `rise_penalty` over a flat roof, a hip as much over a gable (squared metres).
 RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis ridge,
                  double loss_scale, double rise_penalty);
+
+/// The fitted roof as a rule over its rectangle, the view's house frame. Ridges come as hips, of
+/// which `simplify_roofs` makes gables.
+RoofedRectangle roofed_rectangle(const RectifiedView& view, const RoofFit& fit);
 
 }  // namespace gable

@@ -119,9 +119,12 @@ TEST(WingPolygons, BlocksHousesGiveTheirRectanglesBack) {
   Random random(14);
   const std::vector<RoofedRectangle> blocks = {{-3.0, 5.0, -2.0, 4.0, random_hip(&random)},
                                                {5.0, 9.0, -1.0, 3.0, random_hip(&random)},
-                                               {-7.0, -3.0, 0.0, 3.5, random_hip(&random)}};
-  const Foundation types[] = {Foundation::kI, Foundation::kII, Foundation::kIII};
-  for (size_t n = 1; n <= 3; ++n) {
+                                               {-7.0, -3.0, 0.0, 3.5, random_hip(&random)},
+                                               {-3.0, 1.0, 4.0, 8.5, random_hip(&random)},
+                                               {1.0, 4.0, -8.0, -2.0, random_hip(&random)}};
+  const Foundation types[] = {Foundation::kI, Foundation::kII, Foundation::kIII, Foundation::kMany,
+                              Foundation::kMany};
+  for (size_t n = 1; n <= 5; ++n) {
     const House house = blocks_house({blocks.begin(), blocks.begin() + n}, 0.4);
     EXPECT_EQ(house.foundation, types[n - 1]);
     EXPECT_TRUE(is_well_formed(house));

@@ -185,7 +185,7 @@ std::vector<Eigen::Vector2d> smooth_outline(const House& house, double clear, Ra
 TEST(Gradient, OutlineToFootprint) {
   Random random(5);
   for (int i = 0; i < kPoints; ++i) {
-    const House house = rich_house(kAllFoundations[i % 5], &random);
+    const House house = rich_house(kAllFoundations[i % 6], &random);
     // Steps of 1e-3 (times values up to 20) move edges by 0.02 m, samples by 17 m * 3e-3.
     const auto outline = smooth_outline(house, 0.15, &random);
     std::vector<int> rules = {0};

@@ -65,7 +65,7 @@ void plain_normal_equations(const House& house, const HeightImage& image,
 TEST(HouseHeightCost, NormalEquationsEqualThePlainOnesPixelByPixel) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
-    const House house = rich_house(kAllFoundations[seed % 5], &random);
+    const House house = rich_house(kAllFoundations[seed % 6], &random);
     const HeightImage image = noisy_image(seed);
     const HeightCostOptions options{
         random.chance(0.5) ? 2.0 : 0.5,
@@ -86,7 +86,7 @@ TEST(HouseHeightCost, NormalEquationsEqualThePlainOnesPixelByPixel) {
 TEST(HouseHeightCost, CompressedCostGradientAndHessianEqualThePlainOnes) {
   for (uint64_t seed = 20; seed < 40; ++seed) {
     Random random(seed);
-    const House house = rich_house(kAllFoundations[seed % 5], &random);
+    const House house = rich_house(kAllFoundations[seed % 6], &random);
     const HeightImage image = noisy_image(seed);
     const HeightCostOptions options{0.5, LossKind::kSoftL1, 0.3, 1};
     NormalEquations plain;

@@ -9,7 +9,7 @@ TEST(Gradient, HouseHeightCostAtRandomHouses) {
   double kept = 0.0;
   for (int i = 0; i < 1000; ++i) {
     Random random(static_cast<uint64_t>(i));
-    const House house = rich_house(kAllFoundations[i % 5], &random);
+    const House house = rich_house(kAllFoundations[i % 6], &random);
     HeightImage image = noisy_image(static_cast<uint64_t>(i));
     image.rows = 12;
     image.cols = 13;

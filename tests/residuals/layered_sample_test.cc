@@ -27,7 +27,7 @@ TEST(LayeredSample, CostAndDerivativesEqualAutomaticOnesOfTheTemplate) {
   Random random(3);
   std::array<int, kMaxLayers + 1> by_count{};
   for (int trial = 0; trial < 3000; ++trial) {
-    const House house = rich_house(kAllFoundations[trial % 5], &random);
+    const House house = rich_house(kAllFoundations[trial % 6], &random);
     const std::vector<Block<double>> blocks = expand_blocks(house);
     const std::vector<ColumnRange> ranges(blocks.size(), ColumnRange{0, 1});
     const double x = random.uniform(-8.0, 8.0), y = random.uniform(-8.0, 8.0);
@@ -72,7 +72,7 @@ TEST(LayeredSample, SeesTheLayersOfTheHeightField) {
   Random random(4);
   for (int trial = 0; trial < 1000; ++trial) {
     const std::vector<Block<double>> blocks =
-        expand_blocks(rich_house(kAllFoundations[trial % 5], &random));
+        expand_blocks(rich_house(kAllFoundations[trial % 6], &random));
     const std::vector<ColumnRange> ranges(blocks.size(), ColumnRange{0, 1});
     const double x = random.uniform(-8.0, 8.0), y = random.uniform(-8.0, 8.0);
     const SeenLayers seen = seen_layers(blocks, ranges, 0, x, y, 1.0);

@@ -76,10 +76,13 @@ void propose_polygon(const House& house, HouseAnswer* answer) {
 }
 
 void propose_house(const House& house, HouseAnswer* answer) {
-  answer->foundation = house.foundation;
+  // What has more than three blocks is C to annotators: an outline, no roofs.
+  const bool many = house.foundation == Foundation::kMany;
+  answer->foundation = many ? Foundation::kC : house.foundation;
   const ToCrop to_crop(house, answer->frame);
   if (num_annotated_rectangles(house.foundation) == 0) {
     propose_polygon(house, answer);
+    if (many) answer->roofs.clear();
   } else {
     const std::vector<Block<double>> blocks = expand_blocks(house);
     for (int i = 0; i < house.num_components(); ++i) {

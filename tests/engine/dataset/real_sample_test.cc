@@ -1,5 +1,6 @@
 #include <gable/engine/dataset/real_sample.h>
 #include <gable/grammar/height_field.h>
+#include <gable/grammar/wing_polygons.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -46,6 +47,23 @@ TEST(RealSample, AHouseThatFitsAndIsFarAheadTeachesItsOwnAnswer) {
   EXPECT_EQ(sample->foundation, Foundation::kI);
   EXPECT_EQ(sample->corners.size(), 4u);
   EXPECT_FALSE(sample->details_known);
+}
+
+TEST(RealSample, WhatHasMoreThanThreeBlocksIsCToTheDetectors) {
+  TileBuilding building = sure_building();
+  const RoofedRectangle half{-6.0, 0.0, -4.0, 4.0, make_rule(RuleKind::kRoofGable)};
+  building.building.house = blocks_house({half, half, half, half}, 0.0);
+  building.choice.best.house = *building.building.house;
+  building.choice.finalists[0] = building.choice.best;
+  RealSampleOptions options;
+  options.least_iou = 0.0;
+  building.choice.foundation = {0.1f, 0.0f, 0.1f, 0.0f, 0.0f, 0.8f};
+  EXPECT_EQ(judge(building, options), RealSampleVerdict::kBeyondGrammar);
+  const auto sample = real_sample(building, options);
+  ASSERT_TRUE(sample.has_value());
+  EXPECT_EQ(sample->foundation, Foundation::kC);
+  building.choice.foundation = {0.1f, 0.0f, 0.8f, 0.0f, 0.0f, 0.1f};
+  EXPECT_EQ(judge(building, options), RealSampleVerdict::kCloseSecond);
 }
 
 TEST(RealSample, TheLeadIsOverTheBestOfAnotherType) {

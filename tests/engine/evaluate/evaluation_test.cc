@@ -131,6 +131,20 @@ TEST(Evaluation, AShiftedFlatHouseHasTheIouOfShiftedRectangles) {
   EXPECT_NEAR(result.summary->median_mad, 4.0 * 6.0 / 15.0, 1e-5);
 }
 
+TEST(Evaluation, HousesOfManyBlocksHaveAColumnOfTheirOwn) {
+  Case c;
+  c.truth = c.buildings = {gabled("a", 15, 15)};
+  House& house = *c.buildings[0].house;
+  house.foundation = Foundation::kMany;
+  house.footprints.assign(4, house.footprints[0]);
+  house.roofs.assign(4, house.roofs[0]);
+  c.survey();
+  const Evaluation result = c.run();
+  EXPECT_EQ(result.summary->confusion[0][static_cast<int>(Foundation::kMany)], 1);
+  EXPECT_EQ(result.summary->confusion[0][TruthSummary::kMissed], 0);
+  EXPECT_EQ(result.summary->matched, 1);
+}
+
 TEST(Evaluation, ExtrusionsCountAsTypeC) {
   Case c;
   c.truth = {gabled("a", 10, 10)};

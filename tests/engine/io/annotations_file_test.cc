@@ -93,6 +93,7 @@ TEST(AnnotationsFile, MistakesOfEditingAreNamedWithTheirHouse) {
   const std::pair<const char*, const char*> mistakes[] = {
       {"\"II\"", "\"III\""},
       {"\"II\"", "\"IV\""},
+      {"\"II\"", "\"N\""},
       {"[\"gable\",\"hip\"]", "[]"},
       {"\"hip\"", "\"dome\""},
       {"\"azimuth\":0.25", "\"azimuth\":1.6"},

@@ -90,6 +90,23 @@ TEST_P(CityJsonRoundTrip, ClosedPlanesAreReadToTheLastBit) {
   }
 }
 
+TEST_P(CityJsonRoundTrip, HousesOfManyBlocksComeBackAsSuch) {
+  const ScratchFolder scratch;
+  Building many = sample_house("many");
+  many.house = make_house(Foundation::kMany);
+  many.house->origin = {84893.1234567891, 447512.7654321, 1.0 / 3.0};
+  for (int i = 0; i < 4; ++i) many.house->footprints[i][0] = 1.7 * i;
+  many.deviations.clear();
+  const std::string path = scratch.path(GetParam());
+  const auto writer = open_model_writer(path, options());
+  writer->append(many, sample_model(many.house->origin));
+  writer->close();
+  const BuildingFile file = read_buildings(path);
+  ASSERT_EQ(file.buildings.size(), 1u);
+  expect_same(file.buildings[0], many);
+  EXPECT_NE(file_bytes(path).find("\"gable_foundation\":\"N\""), std::string::npos);
+}
+
 TEST_P(CityJsonRoundTrip, WritingTwiceGivesTheSameBytes) {
   const ScratchFolder scratch;
   const std::string once = file_bytes(write_samples(scratch.path(GetParam())));

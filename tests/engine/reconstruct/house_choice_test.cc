@@ -112,6 +112,7 @@ TEST(FoundationCharges, AreTwiceTheNegativeLogOfTheProbabilityAmongHouses) {
   EXPECT_NEAR(charges[3], 6.0 * std::log(20.0), 1e-5);
   EXPECT_NEAR(charges[4], 6.0 * std::log(100.0), 1e-5);  // bounded below
   EXPECT_EQ(charges[5], 0.0);
+  EXPECT_EQ(charges[6], charges[2]);  // N as III
 }
 
 TEST(FoundationCharges, AreAllTheSameWhereOnlyCIsProbable) {

@@ -404,6 +404,24 @@ TEST(HouseSolids, TwoThousandNastyDerivationsAreValidAtEveryLevel) {
   }
 }
 
+TEST(HouseSolids, NastyDerivationsOfFourToEightBlocksAreValid) {
+  NastyHouses houses(33);
+  for (int i = 0; i < 300; ++i) {
+    const House house = houses.next_of_many();
+    ASSERT_TRUE(is_well_formed(house));
+    for (const Lod lod : {Lod::k12, Lod::k22}) {
+      const HouseSolids solids = build_house_solids(house, lod, kBase);
+      ASSERT_FALSE(solids.parts.empty());
+      for (const std::string& line : solids.dropped) {
+        EXPECT_EQ(line.find("valid"), std::string::npos) << "house " << i << ": " << line;
+      }
+      for (const HousePart& part : solids.parts) {
+        EXPECT_EQ(check_solid(part.solid).describe(), "valid") << "house " << i;
+      }
+    }
+  }
+}
+
 TEST(HouseSolids, SameHouseGivesTheSameSolids) {
   NastyHouses houses(41);
   for (int i = 0; i < 50; ++i) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace gable {
 
@@ -15,8 +16,19 @@ class NastyHouses {
  public:
   explicit NastyHouses(uint64_t seed) : random_(seed) {}
 
-  House next() {
-    House house = make_house(static_cast<Foundation>(random_.integer(0, 4)));
+  House next() { return filled(make_house(static_cast<Foundation>(random_.integer(0, 4)))); }
+
+  // Of four to eight blocks.
+  House next_of_many() {
+    House house = make_house(Foundation::kMany);
+    const size_t count = static_cast<size_t>(random_.integer(4, 8));
+    house.footprints.resize(count, house.footprints[0]);
+    house.roofs.resize(count, house.roofs[0]);
+    return filled(std::move(house));
+  }
+
+ private:
+  House filled(House house) {
     house.azimuth[0] = random_.chance(0.2) ? 0.0 : random_.uniform(-3.2, 3.2);
     for (Rule& rule : house.footprints) set_footprint(&rule);
     if (random_.chance(0.6)) attach_footprints(&house);
@@ -38,7 +50,6 @@ class NastyHouses {
     return house;
   }
 
- private:
   // A value that equals `v`, or misses it by anything from a nanometre to a few centimetres.
   double nearly(double v) {
     if (random_.chance(0.5)) return v;

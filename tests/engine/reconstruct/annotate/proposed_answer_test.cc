@@ -1,5 +1,6 @@
 #include <gable/engine/reconstruct/annotate/annotated_from_answer.h>
 #include <gable/engine/reconstruct/annotate/proposed_answer.h>
+#include <gable/grammar/wing_polygons.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,6 +37,20 @@ double nearest(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d
   double least = 1e9;
   for (const Eigen::Vector2d& q : points) least = std::min(least, (p - q).norm());
   return least;
+}
+
+TEST(ProposedAnswer, OfFourBlocksIsTheirOutlineAsTypeC) {
+  const RoofedRectangle main{-6.0, 6.0, -4.0, 4.0, gable_roof(5.0, 3.0, Axis::kX)};
+  const HouseAnswer answer = proposal_of(
+      blocks_house({main,
+                    {-3.0, 3.0, 4.0, 9.0, flat_roof(4.0)},
+                    {6.0, 10.0, -2.0, 2.0, flat_roof(4.0)},
+                    {-10.0, -6.0, -2.0, 2.0, flat_roof(4.0)}},
+                   kAzimuth));
+  EXPECT_EQ(answer.proposed, "C");
+  EXPECT_TRUE(answer.rectangles.empty());
+  EXPECT_TRUE(answer.roofs.empty());
+  EXPECT_GE(answer.polygon.size(), 16u);
 }
 
 TEST(ProposedAnswer, IsTheHouseWhereItStands) {
