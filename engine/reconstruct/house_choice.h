@@ -70,6 +70,10 @@ struct HouseChoice {
 std::array<double, kNumFoundations> foundation_charges(
     const std::array<float, kNumFoundations>& probabilities, const HouseChoiceOptions& options);
 
+/// The last stage that a chosen house is refined in: what it minimises is what the house is best
+/// at.
+RefinementStage last_stage(bool outline_known);
+
 /// Chooses a house: first values of every foundation type from the heights and, where `detected` is
 /// not null, from there as well; all refined, the best few refined to the end with their dormers,
 /// chimneys and garages and simplified roofs, and the least penalised cost wins, in which the
