@@ -5,10 +5,12 @@
 #include <gable/engine/reconstruct/neighbour_groups.h>
 #include <gable/engine/reconstruct/ordered_pool.h>
 #include <gable/engine/reconstruct/penalised_cost.h>
+#include <gable/grammar/height_field.h>
 #include <glog/logging.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace gable {
@@ -17,8 +19,38 @@ namespace {
 /// What came of a group: positions of buildings, and what they became.
 using GroupResult = std::vector<std::pair<int, JoinedBuilding>>;
 
-/// The robust cost of a house against its own heights.
-double own_cost(const HeightImage& image, const RefinementStage& stage, const House& house) {
+/// Whether a point lies within `margin` of a wall, house frame.
+bool is_at(const Block<double>& block, int side, const Eigen::Vector2d& p, double margin) {
+  using namespace block_value;
+  const bool across_x = side == kX0 || side == kX1;
+  const int low = across_x ? kY0 : kX0;
+  const double across = across_x ? p.x() : p.y(), along = across_x ? p.y() : p.x();
+  return std::abs(across - block[side]) < margin && along > block[low] - margin &&
+         along < block[low + 1] + margin;
+}
+
+/// An image without the pixels at some walls of a house. A pixel there belongs to one of two
+/// houses, and its support reaches into the other: what it costs either says nothing about heights.
+HeightImage without_walls(const HeightImage& image, const House& house,
+                          const std::vector<ComponentWall>& walls, double support) {
+  HeightImage out = image;
+  const double margin = M_SQRT1_2 * image.gsd + 0.5 * support;
+  const HeightField field(house);
+  for (int row = 0; row < image.rows; ++row) {
+    for (int col = 0; col < image.cols; ++col) {
+      const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
+      for (const ComponentWall& wall : walls) {
+        if (!is_at(field.blocks()[wall.component], wall.side, p, margin)) continue;
+        out.weight[out.index(row, col)] = 0.0f;
+        break;
+      }
+    }
+  }
+  return out;
+}
+
+/// The robust cost of a house against heights.
+double robust_cost(const HeightImage& image, const RefinementStage& stage, const House& house) {
   PenaltyOptions penalty;
   penalty.support = stage.support;
   penalty.loss = stage.loss;
@@ -32,11 +64,7 @@ class Group {
   Group(const std::vector<FittedBuilding>& buildings, const std::vector<int>& members,
         std::vector<NeighbourRelation> relations, const JoinOptions& options)
       : members_(members), relations_(std::move(relations)), options_(options) {
-    for (int member : members) {
-      fitted_.push_back(buildings[member]);
-      costs_.push_back(own_cost(*fitted_.back().image, options.refinement.stage,
-                                *fitted_.back().building->house));
-    }
+    for (int member : members) fitted_.push_back(buildings[member]);
   }
 
   GroupResult join() {
@@ -88,10 +116,36 @@ class Group {
       made.building.quality.time_ms += ms / static_cast<double>(joined.size());
     }
     if (std::find(failed.begin(), failed.end(), 1) == failed.end()) return joined;
-    std::erase_if(relations_, [&](const NeighbourRelation& relation) {
-      return failed[relation.house_a] || failed[relation.house_b];
-    });
+    drop_of(failed, before);
     return std::nullopt;
+  }
+
+  /// Takes from every house that failed what it shares besides walls or, if that is all, the wall
+  /// with the largest misfit.
+  void drop_of(const std::vector<char>& failed, const std::vector<double>& before) {
+    std::vector<char> dropped(relations_.size(), 0);
+    for (size_t house = 0; house < failed.size(); ++house) {
+      if (!failed[house]) continue;
+      bool walls_only = true;
+      std::optional<size_t> worst;
+      for (size_t r = 0; r < relations_.size(); ++r) {
+        const NeighbourRelation& relation = relations_[r];
+        const int number = static_cast<int>(house);
+        if (relation.house_a != number && relation.house_b != number) continue;
+        if (relation.kind != NeighbourRelationKind::kPartyWall) {
+          walls_only = false;
+          dropped[r] = 1;
+        } else if (!worst || before[r] > before[*worst]) {
+          worst = r;
+        }
+      }
+      if (walls_only && worst) dropped[*worst] = 1;
+    }
+    std::vector<NeighbourRelation> kept;
+    for (size_t r = 0; r < relations_.size(); ++r) {
+      if (!dropped[r]) kept.push_back(relations_[r]);
+    }
+    relations_ = std::move(kept);
   }
 
   std::vector<double> misfits() const {
@@ -105,18 +159,32 @@ class Group {
   /// A building with another house, or nothing where that will not do.
   std::optional<JoinedBuilding> remade(size_t i, const House& house) const {
     const HeightImage& image = *fitted_[i].image;
-    if (own_cost(image, options_.refinement.stage, house) >
-        (1.0 + options_.cost_rise) * costs_[i]) {
+    const RefinementStage& stage = options_.refinement.stage;
+    const HeightImage clear =
+        without_walls(image, house, walls_of(static_cast<int>(i)), stage.support);
+    if (robust_cost(clear, stage, house) >
+        (1.0 + options_.cost_rise) * robust_cost(clear, stage, *fitted_[i].building->house)) {
       return std::nullopt;
     }
     JoinedBuilding made;
     made.building = *fitted_[i].building;
     made.building.house = house;
-    made.building.deviations = deviations_from_heights(image, options_.refinement.stage, house);
+    made.building.deviations = deviations_from_heights(image, stage, house);
     set_fit(fit_of_building(image, made.building), &made.building);
     made.model = build_model(made.building);
     if (!defect_of(made.model).empty()) return std::nullopt;
     return made;
+  }
+
+  /// The walls that a house shares.
+  std::vector<ComponentWall> walls_of(int number) const {
+    std::vector<ComponentWall> walls;
+    for (const NeighbourRelation& relation : relations_) {
+      if (relation.kind != NeighbourRelationKind::kPartyWall) continue;
+      if (relation.house_a == number) walls.push_back(relation.wall_a);
+      if (relation.house_b == number) walls.push_back(relation.wall_b);
+    }
+    return walls;
   }
 
   std::vector<UsedRelation> used_by(int number, const std::vector<double>& before,
@@ -134,7 +202,6 @@ class Group {
   std::vector<FittedBuilding> fitted_;
   std::vector<int> members_;
   std::vector<NeighbourRelation> relations_;
-  std::vector<double> costs_;
   const JoinOptions& options_;
 };
 
@@ -170,7 +237,7 @@ std::string check(const JoinOptions& options) {
   if (!(options.cost_rise >= 0.0 && options.cost_rise <= 1.0)) {
     return "cost_rise must lie in [0, 1]";
   }
-  if (options.rounds < 1 || options.rounds > 10) return "rounds must lie in [1, 10]";
+  if (options.rounds < 1 || options.rounds > 100) return "rounds must lie in [1, 100]";
   return "";
 }
 

@@ -18,8 +18,8 @@ struct JoinOptions {
   int most_houses = 40;  ///< refined as one problem; larger groups are cut, [2, 1000]
   /// By how much a house's own robust cost (the squared residuals of `refinement.stage`) may rise
   /// for what it shares with its neighbours, as a share, [0, 1].
-  double cost_rise = 0.02;
-  int rounds = 3;  ///< how often a group is tried, each time without what failed, [1, 10]
+  double cost_rise = 0.05;
+  int rounds = 8;  ///< how often a group is tried, each time without what failed, [1, 100]
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
@@ -48,11 +48,12 @@ struct JoinedBuilding {
 
 /// Refines the houses among `buildings` that share party walls together, group by group
 /// (`neighbour_groups`), on `threads` threads. A group is accepted when no house's own cost rises
-/// by more than `cost_rise` and every house still has valid solids; a house that fails is taken out
-/// with its relations and the others are tried again, `rounds` times in all. Quality and solids are
-/// made anew; deviations are those that its own heights give. One entry per building, none where it
-/// stays as it was. The result depends on neither the number of threads nor their timing; after a
-/// stop request groups are left as they were.
+/// by more than `cost_rise`, pixels at its shared walls left aside, and every house still has valid
+/// solids. A house that fails loses what it shares besides walls, and if it fails again the wall
+/// with the largest misfit; then the group is tried again, `rounds` times in all. Quality and
+/// solids are made anew; deviations are those that its own heights give. One entry per building,
+/// none where it stays as it was. The result depends on neither the number of threads nor their
+/// timing; after a stop request groups are left as they were.
 std::vector<std::optional<JoinedBuilding>> join_neighbours(
     const std::vector<FittedBuilding>& buildings, const JoinOptions& options, int threads,
     const std::stop_token& stop);

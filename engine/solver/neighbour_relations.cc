@@ -50,6 +50,39 @@ bool is_flat(const House& house, int component) {
   return house.roofs[component].kind == RuleKind::kRoofFlat;
 }
 
+/// The party walls between two houses, the longest contacts first; of a pair of walls that both are
+/// in a longer contact already nothing new would be said.
+std::vector<std::pair<ComponentWall, ComponentWall>> party_walls(
+    const House& a, const House& b, const NeighbourRelationOptions& options) {
+  struct Found {
+    ComponentWall wall_a, wall_b;
+    double length;
+  };
+  std::vector<Found> found;
+  for (int i = 0; i < 4 * a.num_components(); ++i) {
+    for (int j = 0; j < 4 * b.num_components(); ++j) {
+      const ComponentWall wall_a = {i / 4, i % 4}, wall_b = {j / 4, j % 4};
+      const WallContact contact = wall_contact(a, wall_a, b, wall_b);
+      if (contact.angle > options.wall_angle || contact.length < options.least_contact ||
+          std::max(std::abs(contact.offset_from), std::abs(contact.offset_to)) >
+              options.wall.tolerance) {
+        continue;
+      }
+      found.push_back({wall_a, wall_b, contact.length});
+    }
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Found& f, const Found& g) { return f.length > g.length; });
+  std::vector<std::pair<ComponentWall, ComponentWall>> kept;
+  std::set<int> seen_a, seen_b;
+  for (const Found& f : found) {
+    const bool new_a = seen_a.insert(4 * f.wall_a.component + f.wall_a.side).second;
+    const bool new_b = seen_b.insert(4 * f.wall_b.component + f.wall_b.side).second;
+    if (new_a || new_b) kept.emplace_back(f.wall_a, f.wall_b);
+  }
+  return kept;
+}
+
 /// Appends the relations of one pair.
 void detect_between(const std::vector<const House*>& houses, int a, int b,
                     const NeighbourRelationOptions& options,
@@ -57,18 +90,9 @@ void detect_between(const std::vector<const House*>& houses, int a, int b,
   const House& house_a = *houses[a];
   const House& house_b = *houses[b];
   std::set<std::pair<int, int>> components;
-  for (int i = 0; i < 4 * house_a.num_components(); ++i) {
-    for (int j = 0; j < 4 * house_b.num_components(); ++j) {
-      const ComponentWall wall_a = {i / 4, i % 4}, wall_b = {j / 4, j % 4};
-      const WallContact contact = wall_contact(house_a, wall_a, house_b, wall_b);
-      if (contact.angle > options.wall_angle || contact.length < options.least_contact ||
-          std::max(std::abs(contact.offset_from), std::abs(contact.offset_to)) >
-              options.wall.tolerance) {
-        continue;
-      }
-      relations->push_back({Kind::kPartyWall, a, b, wall_a, wall_b});
-      components.emplace(wall_a.component, wall_b.component);
-    }
+  for (const auto& [wall_a, wall_b] : party_walls(house_a, house_b, options)) {
+    relations->push_back({Kind::kPartyWall, a, b, wall_a, wall_b});
+    components.emplace(wall_a.component, wall_b.component);
   }
   if (components.empty()) return;
   const auto add_if_meant = [&](const NeighbourRelation& relation) {

@@ -33,9 +33,9 @@ struct RelationScale {
 };
 
 struct NeighbourRelationOptions {
-  RelationScale wall = {0.6, 0.03, 0.3};           ///< metres
-  RelationScale height = {0.3, 0.03, 0.1};         ///< of eaves and ridges, metres
-  RelationScale azimuth = {0.0698, 0.009, 0.026};  ///< radians: 4, 0.5 and 1.5 degrees
+  RelationScale wall = {0.6, 0.005, 0.3};           ///< metres
+  RelationScale height = {0.2, 0.01, 0.04};         ///< of eaves and ridges, metres
+  RelationScale azimuth = {0.0698, 0.0035, 0.026};  ///< radians: 4, 0.2 and 1.5 degrees
   double wall_angle = 0.175;   ///< between party walls, radians (10 degrees), (0, 0.5]
   double least_contact = 1.5;  ///< length that party walls share, metres, (0, 100]
 };
@@ -52,10 +52,11 @@ double misfit(const std::vector<const House*>& houses, const NeighbourRelation& 
 
 /// The relations that hold within the tolerances. Party walls face each other (outward normals
 /// opposite within `wall_angle`), share `least_contact` metres and are nowhere there further apart
-/// or deeper in each other than the tolerance. Houses with a party wall are compared by their
-/// azimuths, and the components on either side of one by their eaves and ridges; ridges only where
-/// neither roof is flat. In the order of the houses, the same whatever is done in threads; time is
-/// linear in the pairs of houses whose boxes touch, with a small quadratic part.
+/// or deeper in each other than the tolerance; between two houses the longest contacts are taken,
+/// and none of two walls that are both in a longer one. Houses with a party wall are compared by
+/// their azimuths, and the components on either side of one by their eaves and ridges; ridges only
+/// where neither roof is flat. In the order of the houses, the same whatever is done in threads;
+/// time is linear in the pairs of houses whose boxes touch, with a small quadratic part.
 std::vector<NeighbourRelation> detect_neighbour_relations(const std::vector<const House*>& houses,
                                                           const NeighbourRelationOptions& options);
 
