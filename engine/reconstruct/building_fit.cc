@@ -59,6 +59,12 @@ BuildingFit fit_of_building(const HeightImage& image, const Building& building) 
   return fit;
 }
 
+void set_fit(const BuildingFit& fit, Building* building) {
+  building->base = fit.base;
+  building->quality.mad = fit.mad;
+  building->quality.rmse = fit.rmse;
+}
+
 void mark_covered(const Building& building, HeightImage* image) {
   const std::vector<double> model = model_heights(*image, building);
   for (size_t i = 0; i < image->size(); ++i) image->inside[i] = !std::isnan(model[i]);

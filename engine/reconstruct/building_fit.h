@@ -21,6 +21,9 @@ struct BuildingFit {
 /// image's.
 BuildingFit fit_of_building(const HeightImage& image, const Building& building);
 
+/// Writes base, MAD and RMSE into a building.
+void set_fit(const BuildingFit& fit, Building* building);
+
 /// Makes the pixels that the model covers the inside ones, and no others.
 void mark_covered(const Building& building, HeightImage* image);
 

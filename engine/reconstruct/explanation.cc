@@ -201,6 +201,36 @@ std::string afterwards_line(const Candidate& winner, const Candidate& best) {
          ", charges " + decimals(best.cost.prior, 1) + ")\n";
 }
 
+std::string relation_text(const UsedRelation& relation) {
+  const bool angle = relation.kind == NeighbourRelationKind::kEqualAzimuths;
+  const auto number = [&](double misfit) {
+    return angle ? decimals(misfit * 180.0 / M_PI, 1) : decimals(misfit, 2);
+  };
+  std::string text;
+  switch (relation.kind) {
+    case NeighbourRelationKind::kPartyWall:
+      text = "party wall with ";
+      break;
+    case NeighbourRelationKind::kEqualEaves:
+      text = "eaves equal to ";
+      break;
+    case NeighbourRelationKind::kEqualRidges:
+      text = "ridge equal to ";
+      break;
+    default:
+      text = "azimuth equal to ";
+  }
+  return text + relation.neighbour + " (" + number(relation.before) + " -> " +
+         number(relation.after) + (angle ? " degrees)" : " m)");
+}
+
+std::string relations_line(const std::vector<UsedRelation>& relations) {
+  if (relations.empty()) return "";
+  std::vector<std::string> texts;
+  for (const UsedRelation& relation : relations) texts.push_back(relation_text(relation));
+  return "  refined together with its neighbours: " + joined(texts) + "\n";
+}
+
 std::string outcome_line(const Building& building) {
   const bool house = building.status == BuildingStatus::kGrammar && building.house;
   std::string line = "  outcome: ";
@@ -233,7 +263,7 @@ std::string explain(const TileBuilding& building) {
     text += afterwards_line(finalists.front(), choice.best);
     if (!choice.found) text += "  it explains the heights no better than bare ground does\n";
   }
-  text += outcome_line(building.building);
+  text += relations_line(building.relations) + outcome_line(building.building);
   for (const std::string& line : building.model.dropped) text += "  left out: " + line + "\n";
   return text;
 }

@@ -169,6 +169,11 @@ std::array<double, kNumFoundationTypes> foundation_charges(
   return charges;
 }
 
+RefinementStage last_stage(bool outline_known) {
+  if (outline_known) return {0.25, LossKind::kSoftL1, kKnownOutlineScale, 1, 15};
+  return {0.25, LossKind::kGemanMcClure, 0.5, 1, 15};
+}
+
 HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& options,
                          const FirstValues& others) {
   CHECK(check(options).empty()) << check(options);
@@ -295,9 +300,7 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
     if (more.cost.total < choice.best.cost.total + kWorthRewriting) choice.best = more;
   }
   simplify_roofs(image, penalty, &choice.best.house);
-  const LossKind last_loss = options.outline_known ? LossKind::kSoftL1 : LossKind::kGemanMcClure;
-  const double last_scale = options.outline_known ? kKnownOutlineScale : 0.5;
-  choice.summary = refine(image, {{0.25, last_loss, last_scale, 1, 15}}, true, &choice.best.house);
+  choice.summary = refine(image, {last_stage(options.outline_known)}, true, &choice.best.house);
   choice.best.cost = penalised_cost(image, choice.best.house, penalty);
   const House nothing_there = [&] {
     House far = choice.best.house;

@@ -83,6 +83,10 @@ struct HouseChoice {
 std::array<double, kNumFoundationTypes> foundation_charges(
     const std::array<float, kNumFoundations>& probabilities, const HouseChoiceOptions& options);
 
+/// The last stage that a chosen house is refined in: what it minimises is what the house is best
+/// at.
+RefinementStage last_stage(bool outline_known);
+
 /// Chooses a house: first values of every foundation type from the heights and those of `others`;
 /// all refined, the best few refined to the end with their dormers, chimneys and garages and
 /// simplified roofs, and the least penalised cost wins, in which the probabilities of `others`

@@ -1,6 +1,7 @@
 #include <gable/engine/io/build_model.h>
 #include <gable/engine/reconstruct/building_fit.h>
 #include <gable/engine/reconstruct/mask_outline.h>
+#include <gable/engine/reconstruct/model_defect.h>
 #include <gable/engine/reconstruct/penalised_cost.h>
 #include <gable/engine/reconstruct/reconstruct_building.h>
 #include <gable/engine/scales/outline/ring_simplification.h>
@@ -56,12 +57,6 @@ std::vector<float> measured_heights(const HeightImage& image) {
   return heights;
 }
 
-void set_fit(const BuildingFit& fit, Building* building) {
-  building->base = fit.base;
-  building->quality.mad = fit.mad;
-  building->quality.rmse = fit.rmse;
-}
-
 Building extrusion_of(const std::string& id, const HeightImage& image, PlanPolygon outline) {
   Building building;
   building.id = id;
@@ -96,17 +91,6 @@ KnownOutline walls_of(const PlanPolygon& outline, const HeightImage& image, Buil
     best = house.walls;
   }
   return best;
-}
-
-/// Why the solids of a house cannot be used, or "".
-std::string defect_of(const BuildingModel& model) {
-  const bool body = std::any_of(model.parts.begin(), model.parts.end(), [](const PartModel& part) {
-    return part.role == PartRole::kMain && part.solids.back().lod == Lod::k22;
-  });
-  for (const std::string& line : model.dropped) {
-    if (line.find("no valid solid") != std::string::npos) return line;
-  }
-  return body ? "" : "the house has no body";
 }
 
 /// What the last stage of a refinement minimises.

@@ -8,8 +8,9 @@
 namespace gable {
 
 std::string check(const TileOptions& options) {
-  for (const std::string& error : {check(options.find), check(options.crop),
-                                   check(options.building), check(options.detected_values)}) {
+  for (const std::string& error :
+       {check(options.find), check(options.crop), check(options.building),
+        check(options.detected_values), check(options.join)}) {
     if (!error.empty()) return error;
   }
   if (options.window_cells < 64 || options.window_cells > 32768) {
@@ -22,6 +23,23 @@ std::string check(const TileOptions& options) {
   return "";
 }
 
+namespace {
+
+void join_window(const JoinOptions& options, int threads, const std::stop_token& stop,
+                 std::vector<TileBuilding>* window) {
+  std::vector<FittedBuilding> fitted;
+  for (const TileBuilding& made : *window) fitted.push_back({&made.building, &made.image});
+  auto joined = join_neighbours(fitted, options, threads, stop);
+  for (size_t i = 0; i < joined.size(); ++i) {
+    if (!joined[i]) continue;
+    (*window)[i].building = std::move(joined[i]->building);
+    (*window)[i].model = std::move(joined[i]->model);
+    (*window)[i].relations = std::move(joined[i]->relations);
+  }
+}
+
+}  // namespace
+
 TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
                              const std::stop_token& stop, const TileCallbacks& callbacks) {
   std::optional<DetectorPool> pool;
@@ -32,14 +50,23 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
       return detect_values(image, pool->lend().get(), options.detected_values);
     };
   }
-  return visit_tile(input, options, stop, callbacks,
-                    [&](const std::string& id, const PlanPolygon* outline, TileBuilding* building) {
-                      ReconstructedBuilding made = reconstruct_building(
-                          id, building->image, outline, options.building, detect);
-                      building->building = std::move(made.building);
-                      building->model = std::move(made.model);
-                      building->choice = std::move(made.choice);
-                    });
+  const MakeBuilding make = [&](const std::string& id, const PlanPolygon* outline,
+                                TileBuilding* building) {
+    ReconstructedBuilding made =
+        reconstruct_building(id, building->image, outline, options.building, detect);
+    building->building = std::move(made.building);
+    building->model = std::move(made.model);
+    building->choice = std::move(made.choice);
+  };
+  JoinBuildings join;
+  if (options.join_neighbours) {
+    JoinOptions join_options = options.join;
+    join_options.refinement.stage = last_stage(input.footprints != nullptr);
+    join = [join_options, &options, &stop](std::vector<TileBuilding>* window) {
+      join_window(join_options, options.threads, stop, window);
+    };
+  }
+  return visit_tile(input, options, stop, callbacks, make, join);
 }
 
 }  // namespace gable

@@ -6,6 +6,7 @@
 #include <gable/engine/io/raster_file.h>
 #include <gable/engine/reconstruct/find_houses.h>
 #include <gable/engine/reconstruct/height_crop.h>
+#include <gable/engine/reconstruct/join_neighbours.h>
 #include <gable/engine/reconstruct/reconstruct_building.h>
 #include <gable/engine/reconstruct/terrain.h>
 #include <gable/residuals/height_image.h>
@@ -43,6 +44,10 @@ struct TileOptions {
   /// values; empty: none.
   std::string detectors;
   DetectedValuesOptions detected_values;
+  /// Refine the houses of a window that share party walls together once all are made; they are
+  /// delivered after that. Groups do not reach from one window into another.
+  bool join_neighbours = true;
+  JoinOptions join;  ///< its stage is replaced by `last_stage`
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.
@@ -55,10 +60,15 @@ struct TileBuilding {
   BuildingModel model;
   HeightImage image;   ///< what it was fitted to
   HouseChoice choice;  ///< what its house was chosen from
+  /// What its house was refined with together with its neighbours' afterwards; empty: by itself.
+  std::vector<UsedRelation> relations;
 };
 
 /// What a caller does with the buildings. Members may be empty.
 struct TileCallbacks {
+  /// Called on the calling thread, in order, when a building has been made: before it is delivered,
+  /// and long before where neighbours are joined.
+  std::function<void()> made;
   /// Called by worker threads, in any order, before the building is delivered.
   std::function<void(const TileBuilding&)> inspect;
   /// Called on the calling thread, in order.
@@ -77,9 +87,11 @@ struct TileSummary {
 };
 
 /// Reconstructs all buildings of a raster of any size, window by window, on several threads. The
-/// buildings and their order depend on neither the number of threads nor their timing. Buildings
-/// that are found get ids from their place: "b<easting>_<northing>" in decimetres. Throws Error
-/// where a file is damaged, before any work where it is one of the detectors.
+/// buildings and their order depend on neither the number of threads nor their timing. Where
+/// neighbours are joined, all buildings of a window are held until it is done, and a window that a
+/// stop request interrupts delivers nothing: what is delivered is final. Buildings that are found
+/// get ids from their place: "b<easting>_<northing>" in decimetres. Throws Error where a file is
+/// damaged, before any work where it is one of the detectors.
 TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
                              const std::stop_token& stop, const TileCallbacks& callbacks);
 

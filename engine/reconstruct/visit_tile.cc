@@ -38,12 +38,13 @@ struct Window {
 class TileVisit {
  public:
   TileVisit(const TileInput& input, const TileOptions& options, const std::stop_token& stop,
-            const TileCallbacks& callbacks, const MakeBuilding& make)
+            const TileCallbacks& callbacks, const MakeBuilding& make, const JoinBuildings& join)
       : input_(input),
         options_(options),
         stop_(stop),
         callbacks_(callbacks),
         make_(make),
+        join_(join),
         grid_(input.dsm->grid()) {
     if (!input.footprints) return;
     for (const Footprint& footprint : *input.footprints) {
@@ -139,19 +140,42 @@ class TileVisit {
   void visit_all(size_t count, const std::function<TileBuilding(size_t)>& make) {
     if (callbacks_.begin_window) callbacks_.begin_window(window_, num_windows_, count);
     const size_t first = summary_.num_buildings;
-    const bool done = run_in_order<TileBuilding>(
-        count, options_.threads, stop_,
-        [&](size_t i) {
-          TileBuilding out = make(i);
-          out.index = first + i;
-          if (callbacks_.inspect) callbacks_.inspect(out);
-          return out;
-        },
-        [&](TileBuilding&& out) {
-          ++summary_.num_buildings;
-          if (callbacks_.deliver) callbacks_.deliver(std::move(out));
+    const auto made = [&](size_t i) {
+      TileBuilding out = make(i);
+      out.index = first + i;
+      if (!join_) inspect(out);
+      return out;
+    };
+    std::vector<TileBuilding> window;  // of those to be joined
+    bool done =
+        run_in_order<TileBuilding>(count, options_.threads, stop_, made, [&](TileBuilding&& out) {
+          if (callbacks_.made) callbacks_.made();
+          join_ ? window.push_back(std::move(out)) : deliver(std::move(out));
         });
+    if (join_ && done) done = join_and_deliver(&window);
     summary_.stopped = !done || stop_.stop_requested();
+  }
+
+  /// Returns false, with nothing delivered, where it was stopped before all were joined.
+  bool join_and_deliver(std::vector<TileBuilding>* window) {
+    join_(window);
+    if (stop_.stop_requested()) return false;
+    return run_in_order<TileBuilding>(
+        window->size(), options_.threads, {},
+        [&](size_t i) {
+          inspect((*window)[i]);
+          return std::move((*window)[i]);
+        },
+        [&](TileBuilding&& out) { deliver(std::move(out)); });
+  }
+
+  void inspect(const TileBuilding& building) const {
+    if (callbacks_.inspect) callbacks_.inspect(building);
+  }
+
+  void deliver(TileBuilding&& building) {
+    ++summary_.num_buildings;
+    if (callbacks_.deliver) callbacks_.deliver(std::move(building));
   }
 
   std::string id_of_place(const CellBox& box) {
@@ -169,6 +193,7 @@ class TileVisit {
   const std::stop_token& stop_;
   const TileCallbacks& callbacks_;
   const MakeBuilding& make_;
+  const JoinBuildings& join_;
   const Grid grid_;
   std::vector<CellBox> extents_;  ///< of the footprints
   std::unordered_set<std::string> ids_;
@@ -180,10 +205,10 @@ class TileVisit {
 
 TileSummary visit_tile(const TileInput& input, const TileOptions& options,
                        const std::stop_token& stop, const TileCallbacks& callbacks,
-                       const MakeBuilding& make) {
+                       const MakeBuilding& make, const JoinBuildings& join) {
   CHECK(input.dsm != nullptr);
   CHECK(check(options).empty()) << check(options);
-  return TileVisit(input, options, stop, callbacks, make).run();
+  return TileVisit(input, options, stop, callbacks, make, join).run();
 }
 
 }  // namespace gable

@@ -27,6 +27,7 @@ struct ReconstructOptions {
   bool no_scales = false, no_classical = false;
   std::string filter;
   std::vector<std::string> explain;  ///< ids
+  bool no_join = false;
 };
 
 void say(const ReconstructOptions& options, const std::string& line) {
@@ -106,6 +107,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   if (tile_options.detectors.empty() && !options.detectors.none) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
+  tile_options.join_neighbours = !options.no_join;
   std::unique_ptr<Progress> progress;
   OutsideGrammar outside;
   Explanations explanations(options.explain);
@@ -118,6 +120,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
     progress = std::make_unique<Progress>("buildings", num_buildings,
                                           progress_style(options.common.quiet), std::cerr);
   };
+  callbacks.made = [&] { progress->advance(); };
   callbacks.inspect = [&](const TileBuilding& made) {
     outputs.draw(made.index, made.building, made.image);
   };
@@ -126,7 +129,6 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
     outside.planes += made.building.status == BuildingStatus::kPlanes;
     outside.extrusions += made.building.status == BuildingStatus::kExtrusion;
     outputs.append(std::move(made.building), made.model);
-    progress->advance();
   };
   const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
   progress.reset();
@@ -162,6 +164,9 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
       ->type_name("ID")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--no-join", options->no_join,
+                    "Leave houses that share a party wall as each was fitted by itself, instead of "
+                    "refining them together");
   add_output_options(command, &options->output);
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });

@@ -139,6 +139,19 @@ TEST(Explanation, WhatTheWinnerBecameIsTold) {
   EXPECT_THAT(explain(made), HasSubstr("afterwards: 2 garages dropped, roofs now flat;"));
 }
 
+TEST(Explanation, RelationsToNeighboursAreNamedWithTheirMisfits) {
+  TileBuilding made = chosen();
+  EXPECT_THAT(explain(made), Not(HasSubstr("neighbours")));
+  made.relations = {{NeighbourRelationKind::kPartyWall, "b9", 0.213, 0.004},
+                    {NeighbourRelationKind::kEqualEaves, "b9", 0.12, 0.01},
+                    {NeighbourRelationKind::kEqualRidges, "b7", 0.3, 0.2},
+                    {NeighbourRelationKind::kEqualAzimuths, "b9", 0.0349, 0.0}};
+  EXPECT_EQ(line_of(explain(made), "  refined together"),
+            "  refined together with its neighbours: party wall with b9 (0.21 -> 0.00 m), eaves "
+            "equal to b9 (0.12 -> 0.01 m), ridge equal to b7 (0.30 -> 0.20 m), azimuth equal to b9 "
+            "(2.0 -> 0.0 degrees)");
+}
+
 TEST(Explanation, TheOutcomeHasItsReason) {
   TileBuilding made = chosen();
   EXPECT_EQ(line_of(explain(made), "  outcome"),

@@ -1,5 +1,6 @@
 #include <gable/engine/io/raster_writer.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/grammar/synthesis/terrace.h>
 #include <gable/grammar/synthesis/village.h>
 #include <gtest/gtest.h>
 
@@ -127,6 +128,77 @@ TEST_F(ReconstructTile, AFootprintWithoutHeightsComesOutWithTheReason) {
   EXPECT_EQ(buildings[0].status, BuildingStatus::kExtrusion);
   EXPECT_NE(buildings[0].reason.find("0.0 square metres with heights"), std::string::npos);
   EXPECT_GT(buildings[0].height, buildings[0].base);
+}
+
+// A row of three houses with their footprints.
+class ReconstructTerrace : public testing::Test {
+ protected:
+  ReconstructTerrace() {
+    TerraceOptions options;
+    options.count = 3;
+    options.seed = 4;
+    const Terrace terrace = make_terrace(options);
+    const Crs crs = crs_from_text("EPSG:27700");
+    write_raster(folder_.path("dsm.tif"), terrace.dsm, crs);
+    write_raster(folder_.path("dtm.tif"), terrace.dtm, crs);
+    for (size_t i = 0; i < terrace.footprints.size(); ++i) {
+      footprints_.push_back({std::to_string(i), terrace.footprints[i]});
+    }
+  }
+
+  std::vector<TileBuilding> reconstruct(bool join, int threads) {
+    TileOptions options;
+    options.join_neighbours = join;
+    options.threads = threads;
+    std::vector<TileBuilding> buildings;
+    TileCallbacks callbacks;
+    callbacks.made = [&] { ++num_made_; };
+    callbacks.deliver = [&](TileBuilding&& made) {
+      EXPECT_EQ(made.index, buildings.size());
+      buildings.push_back(std::move(made));
+      if (buildings.size() == 1) num_made_at_first_ = num_made_;
+    };
+    num_made_ = 0;
+    const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
+    reconstruct_tile({&dsm, &dtm, &footprints_, nullptr}, options, {}, callbacks);
+    return buildings;
+  }
+
+  const ScratchFolder folder_;
+  std::vector<Footprint> footprints_;
+  int num_made_ = 0, num_made_at_first_ = 0;
+};
+
+TEST_F(ReconstructTerrace, NeighboursAreRefinedTogetherUnlessLeftAlone) {
+  const std::vector<TileBuilding> alone = reconstruct(false, 1);
+  EXPECT_EQ(num_made_at_first_, 1);
+  const std::vector<TileBuilding> one = reconstruct(true, 1), three = reconstruct(true, 3);
+  EXPECT_EQ(num_made_at_first_, 3);
+  EXPECT_EQ(num_made_, 3);
+  ASSERT_EQ(alone.size(), 3u);
+  ASSERT_EQ(one.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(alone[i].relations.empty());
+    EXPECT_FALSE(one[i].relations.empty());
+    ASSERT_TRUE(one[i].building.house && three[i].building.house);
+    const auto a = std::as_const(*one[i].building.house).derivation();
+    const auto b = std::as_const(*three[i].building.house).derivation();
+    ASSERT_EQ(a.size(), b.size());
+    for (size_t r = 0; r < a.size(); ++r) EXPECT_EQ(a[r]->values, b[r]->values);
+    EXPECT_LT(one[i].building.quality.mad, alone[i].building.quality.mad + 0.02);
+  }
+}
+
+TEST_F(ReconstructTerrace, AnInterruptedWindowDeliversNothing) {
+  std::stop_source stop;
+  TileCallbacks callbacks;
+  callbacks.made = [&] { stop.request_stop(); };
+  callbacks.deliver = [](TileBuilding&&) { ADD_FAILURE() << "delivered"; };
+  const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
+  const TileSummary summary = reconstruct_tile({&dsm, &dtm, &footprints_, nullptr}, TileOptions{},
+                                               stop.get_token(), callbacks);
+  EXPECT_TRUE(summary.stopped);
+  EXPECT_EQ(summary.num_buildings, 0u);
 }
 
 }  // namespace
