@@ -6,6 +6,11 @@
 namespace gable {
 namespace {
 
+// Overhangs nearer than this are made equal, metres: more than solids resolve.
+constexpr double kSameReach = 5e-3;
+
+constexpr double kNoLength = 1e-9;  // metres
+
 using Polygon = std::vector<Eigen::Vector2d>;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -29,6 +34,8 @@ Polygon clip(const Polygon& polygon, const Plane& keep) {
 
 // Cuts the segment from `from` to `to` to the left side of the line through p and q.
 bool cut_to_left(const Eigen::Vector2d& p, const Eigen::Vector2d& q, PlanSegment* segment) {
+  // Where three planes meet at a corner, clipping leaves edges of no length and any direction.
+  if ((q - p).squaredNorm() < kNoLength * kNoLength) return true;
   const double at_from = cross(q - p, segment->from - p);
   const double at_to = cross(q - p, segment->to - p);
   if (at_from < 0.0 && at_to < 0.0) return false;
@@ -68,6 +75,12 @@ bool meeting_line(const RoofFacet& facet, const RoofFacet& other, const std::vec
          cut_to_polygon(region, segment);
 }
 
+// How far a hip of this run reaches beyond the wall until it is as low as the other eaves.
+double level_overhang(double overhang, double run, double half_width) {
+  const double reach = overhang * run / half_width;
+  return std::abs(reach - overhang) < kSameReach ? overhang : reach;
+}
+
 }  // namespace
 
 int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& planes) const {
@@ -83,11 +96,11 @@ int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& p
   return lowest;
 }
 
-FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes) {
+FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double overhang) {
   using namespace block_value;
   FacetedBlock faceted;
-  faceted.low = {block[kX0], block[kY0]};
-  faceted.high = {block[kX1], block[kY1]};
+  faceted.low = {block[kX0] - overhang, block[kY0] - overhang};
+  faceted.high = {block[kX1] + overhang, block[kY1] + overhang};
   std::vector<Plane> roof;
   if (block.flat) {
     roof.push_back({0.0, 0.0, block[kEaves]});
@@ -97,19 +110,28 @@ FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes) {
     const double u1 = along_x ? block[kX1] : block[kY1];
     const double v0 = along_x ? block[kY0] : block[kX0];
     const double v1 = along_x ? block[kY1] : block[kX1];
+    const double rise = block[kRise], half_width = 0.5 * (v1 - v0);
+    const double across = rise / half_width;
+    const double eaves = block[kEaves] - across * overhang;
     // A plane that leaves the eaves at coordinate `at` of axis u or v with a signed slope.
     const auto rising = [&](bool over_u, double at, double slope) {
       const bool over_x = over_u == along_x;
-      return Plane{over_x ? slope : 0.0, over_x ? 0.0 : slope, block[kEaves] - slope * at};
+      return Plane{over_x ? slope : 0.0, over_x ? 0.0 : slope, eaves - slope * at};
     };
-    const double across = block[kRise] / (0.5 * (v1 - v0));
-    roof.push_back(rising(false, v0, across));
-    roof.push_back(rising(false, v1, -across));
+    roof.push_back(rising(false, v0 - overhang, across));
+    roof.push_back(rising(false, v1 + overhang, -across));
+    const int u = along_x ? 0 : 1;
     if (block[kHipStart] > 0.0) {
-      roof.push_back(rising(true, u0, block[kRise] / (block[kHipStart] * (u1 - u0))));
+      const double run = block[kHipStart] * (u1 - u0);
+      const double reach = level_overhang(overhang, run, half_width);
+      faceted.low[u] = u0 - reach;
+      roof.push_back(rising(true, u0 - reach, (rise + across * overhang) / (run + reach)));
     }
     if (block[kHipEnd] > 0.0) {
-      roof.push_back(rising(true, u1, -block[kRise] / (block[kHipEnd] * (u1 - u0))));
+      const double run = block[kHipEnd] * (u1 - u0);
+      const double reach = level_overhang(overhang, run, half_width);
+      faceted.high[u] = u1 + reach;
+      roof.push_back(rising(true, u1 + reach, -(rise + across * overhang) / (run + reach)));
     }
   }
   for (size_t i = 0; i < roof.size(); ++i) {
@@ -122,6 +144,24 @@ FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes) {
     if (facet.outline.size() >= 3) faceted.facets.push_back(std::move(facet));
   }
   return faceted;
+}
+
+void append_meeting_lines(const FacetedBlock& block, const FacetedBlock& other,
+                          const std::vector<Plane>& planes, const Eigen::Vector2d& low,
+                          const Eigen::Vector2d& high, std::vector<PlanSegment>* segments) {
+  if ((block.high.array() < other.low.array()).any() ||
+      (other.high.array() < block.low.array()).any()) {
+    return;
+  }
+  const Polygon region = rectangle(low, high);
+  for (const RoofFacet& facet : block.facets) {
+    for (const RoofFacet& second : other.facets) {
+      PlanSegment segment;
+      if (facet.plane != second.plane && meeting_line(facet, second, planes, region, &segment)) {
+        segments->push_back(segment);
+      }
+    }
+  }
 }
 
 std::vector<PlanSegment> envelope_segments(const std::vector<const FacetedBlock*>& blocks,
@@ -144,18 +184,7 @@ std::vector<PlanSegment> envelope_segments(const std::vector<const FacetedBlock*
   }
   for (size_t i = 0; i < blocks.size(); ++i) {
     for (size_t j = i + 1; j < blocks.size(); ++j) {
-      if ((blocks[i]->high.array() < blocks[j]->low.array()).any() ||
-          (blocks[j]->high.array() < blocks[i]->low.array()).any()) {
-        continue;
-      }
-      for (const RoofFacet& facet : blocks[i]->facets) {
-        for (const RoofFacet& other : blocks[j]->facets) {
-          PlanSegment segment;
-          if (facet.plane != other.plane && meeting_line(facet, other, planes, region, &segment)) {
-            segments.push_back(segment);
-          }
-        }
-      }
+      append_meeting_lines(*blocks[i], *blocks[j], planes, low, high, &segments);
     }
   }
   return segments;
