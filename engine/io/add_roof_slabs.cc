@@ -32,13 +32,14 @@ void add_roof_slabs(const RoofSlabOptions& options, const std::vector<PlanPolygo
   std::map<std::pair<PartRole, int>, int> pieces;
   for (HousePart& part : solids.parts) {
     const int piece = pieces[{part.role, part.index}]++;
-    const auto known = std::find_if(
-        model->parts.begin(), model->parts.end(), [&](const PartModel& p) {
+    const auto known =
+        std::find_if(model->parts.begin(), model->parts.end(), [&](const PartModel& p) {
           return p.role == part.role && p.index == part.index && p.piece == piece;
         });
-    PartModel& target = known != model->parts.end()
-                            ? *known
-                            : model->parts.emplace_back(PartModel{part.role, part.index, piece, {}});
+    PartModel& target =
+        known != model->parts.end()
+            ? *known
+            : model->parts.emplace_back(PartModel{part.role, part.index, piece, {}});
     target.solids.push_back({Lod::k23, std::move(part.solid)});
   }
 }

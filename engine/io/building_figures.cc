@@ -15,7 +15,8 @@ double spanned6(const Solid& solid, const Face& face) {
   double sum = 0.0;
   for (const std::vector<int>& ring : face.rings) {
     for (size_t i = 2; i < ring.size(); ++i) {
-      sum += solid.vertices[ring[0]].dot(solid.vertices[ring[i - 1]].cross(solid.vertices[ring[i]]));
+      sum +=
+          solid.vertices[ring[0]].dot(solid.vertices[ring[i - 1]].cross(solid.vertices[ring[i]]));
     }
   }
   return sum;
@@ -26,8 +27,7 @@ void add_deviations(const Building& building, Json* json) {
   const House& house = *building.house;
   const auto deviation = [&](int rule, int parameter) {
     const auto& all = building.deviations;
-    if (rule >= static_cast<int>(all.size()) ||
-        parameter >= static_cast<int>(all[rule].size())) {
+    if (rule >= static_cast<int>(all.size()) || parameter >= static_cast<int>(all[rule].size())) {
       return std::numeric_limits<double>::quiet_NaN();
     }
     return all[rule][parameter];
@@ -39,8 +39,8 @@ void add_deviations(const Building& building, Json* json) {
   };
   const auto lowest = std::min_element(house.roofs.begin(), house.roofs.end(), lower);
   if (lowest == house.roofs.end()) return;
-  const double eaves = deviation(
-      house.roof_block(static_cast<int>(lowest - house.roofs.begin())), param::roof::kEaves);
+  const double eaves = deviation(house.roof_block(static_cast<int>(lowest - house.roofs.begin())),
+                                 param::roof::kEaves);
   if (std::isfinite(eaves)) (*json)["gable_eaves_sd_m"] = eaves;
 }
 
@@ -59,9 +59,8 @@ Eigen::Vector3d face_vector(const Solid& solid, const Face& face) {
 
 bool is_on_the_ground(const Solid& solid, const Face& face, double bottom) {
   if (face.type != SurfaceType::kGround || face.rings.empty()) return false;
-  return std::all_of(face.rings[0].begin(), face.rings[0].end(), [&](int v) {
-    return solid.vertices[v].z() < bottom + kSameLevel;
-  });
+  return std::all_of(face.rings[0].begin(), face.rings[0].end(),
+                     [&](int v) { return solid.vertices[v].z() < bottom + kSameLevel; });
 }
 
 double bottom_of(const BuildingModel& model) {

@@ -22,7 +22,8 @@ double bottom_of(const BuildingModel& model);
 /// What tables of buildings list: the attributes of `attributes_json` less the derivation, and
 /// gable_plan_area_m2 (ground faces), gable_roof_area_m2 (along the slopes, what dormers and
 /// chimneys cover included) and gable_volume_m3, all of the finest solids without roof slabs.
-/// Standard deviations, where known: gable_azimuth_sd_deg, and gable_eaves_sd_m of the lowest eaves.
+/// Standard deviations, where known: gable_azimuth_sd_deg, and gable_eaves_sd_m of the lowest
+/// eaves.
 Json table_attributes(const Building& building, const BuildingModel& model);
 
 }  // namespace gable

@@ -144,8 +144,8 @@ std::string utf8(const std::string& text) {
 std::string listed(const Json& list) {
   std::string text;
   for (const Json& item : list) {
-    text += (text.empty() ? "" : ", ") +
-            (item.is_string() ? item.get<std::string>() : dump_json(item));
+    text +=
+        (text.empty() ? "" : ", ") + (item.is_string() ? item.get<std::string>() : dump_json(item));
   }
   return text;
 }
@@ -186,8 +186,7 @@ struct GeoPackageWriter::Rows {
   bool write_roofs(GDALDataset* dataset, OGRSpatialReference* srs) const;
 };
 
-bool GeoPackageWriter::Rows::write_buildings(GDALDataset* dataset,
-                                             OGRSpatialReference* srs) const {
+bool GeoPackageWriter::Rows::write_buildings(GDALDataset* dataset, OGRSpatialReference* srs) const {
   OGRLayer* layer = dataset->CreateLayer("buildings", srs, wkbMultiPolygon, nullptr);
   if (!layer || !add_column(layer, "id", OFTString)) return false;
   for (const char* name : kTextColumns) {
@@ -266,7 +265,12 @@ void GeoPackageWriter::append(const Building& building, const BuildingModel& mod
       const Eigen::Vector3d normal = face_vector(*solid, face).normalized();
       if (face.type != SurfaceType::kRoof || !(normal.z() > 1e-6)) continue;
       const Plane plane = plane_of(*solid, face, normal);
-      Rows::RoofRow row{building.id, part_name(part), 0.0, 0.0, 0.0, 0.0,
+      Rows::RoofRow row{building.id,
+                        part_name(part),
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
                         seen_roof(*solid, face, plane, model, covers)};
       if (row.roof.IsEmpty()) continue;
       row.plan_area = plan_area(row.roof);

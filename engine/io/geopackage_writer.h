@@ -14,9 +14,9 @@ namespace gable {
 /// text with commas.
 ///
 /// `roofs`: MultiPolygon Z, each plane of each part's roof, less what dormers, chimneys and the
-/// like cover of it, with `building`, `part` ("main-1", "garage-1", ...), `area_m2` along the slope,
-/// `plan_area_m2`, `slope_deg` (from level) and `aspect_deg` (the way down, clockwise from grid
-/// north, null where the slope is under half a degree). Heights are those of the raster.
+/// like cover of it, with `building`, `part` ("main-1", "garage-1", ...), `area_m2` along the
+/// slope, `plan_area_m2`, `slope_deg` (from level) and `aspect_deg` (the way down, clockwise from
+/// grid north, null where the slope is under half a degree). Heights are those of the raster.
 ///
 /// Both show LoD 2.2, or the finest there is, without roof slabs. Kept in memory until close.
 class GeoPackageWriter : public ModelWriter {

@@ -117,8 +117,9 @@ KmlWriter::KmlWriter(const std::string& path, const ModelWriterOptions& options)
       position_([&] {
         if (!options.crs.empty()) return options.crs;
         throw Error(ExitCode::kUsage,
-                    path + ": a globe needs a reference system; name that of the raster with --crs "
-                           "EPSG:NNNN");
+                    path +
+                        ": a globe needs a reference system; name that of the raster with --crs "
+                        "EPSG:NNNN");
       }()),
       on_terrain_(options.kml_on_terrain),
       zipped_(path.ends_with(".kmz")) {
@@ -158,9 +159,8 @@ void KmlWriter::append(const Building& building, const BuildingModel& model) {
       const auto type = static_cast<size_t>(drawn_type(part.role, face.type));
       std::string& text = polygons[type][shade_of(normal)];
       const auto add_polygon = [&](const auto& ring) {
-        text += on_terrain_
-                    ? "<Polygon><altitudeMode>relativeToGround</altitudeMode>"
-                    : "<Polygon><altitudeMode>absolute</altitudeMode>";
+        text += on_terrain_ ? "<Polygon><altitudeMode>relativeToGround</altitudeMode>"
+                            : "<Polygon><altitudeMode>absolute</altitudeMode>";
         text += "<outerBoundaryIs><LinearRing><coordinates>";
         for (const int v : ring) text += points[v] + ' ';
         text += points[ring[0]] + "</coordinates></LinearRing></outerBoundaryIs></Polygon>\n";
@@ -172,16 +172,14 @@ void KmlWriter::append(const Building& building, const BuildingModel& model) {
       }
     }
   }
-  const std::string name =
-      "<name>" + xml_text(value_text(Json(building.id))) + "</name>";
+  const std::string name = "<name>" + xml_text(value_text(Json(building.id))) + "</name>";
   const std::string data = extended_data(table_attributes(building, model));
   std::string text = "<Folder>" + name + "<styleUrl>#building</styleUrl>\n";
   for (int type = 2; type >= 0; --type) {
     for (int shade = 0; shade < kNumShades; ++shade) {
       if (polygons[type][shade].empty()) continue;
       text += "<Placemark>" + name + "<styleUrl>#" + style_name(type, shade) + "</styleUrl>\n" +
-              data + "<MultiGeometry>\n" + polygons[type][shade] +
-              "</MultiGeometry></Placemark>\n";
+              data + "<MultiGeometry>\n" + polygons[type][shade] + "</MultiGeometry></Placemark>\n";
     }
   }
   write(text + "</Folder>\n");

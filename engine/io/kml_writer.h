@@ -8,11 +8,11 @@
 
 namespace gable {
 
-/// KML 2.2 for globe viewers, or the same zipped (.kmz, which holds doc.kml): a Folder per building,
-/// and in it a Placemark per kind and brightness of surface with the finest solids' faces as
-/// polygons and the attributes (`table_attributes`) as ExtendedData. Viewers do not shade polygons,
-/// so faces are coloured by how they lie to a light from the south-west. Convex faces are polygons
-/// as they are; others are cut into triangles, which every viewer fills the same way.
+/// KML 2.2 for globe viewers, or the same zipped (.kmz, which holds doc.kml): a Folder per
+/// building, and in it a Placemark per kind and brightness of surface with the finest solids' faces
+/// as polygons and the attributes (`table_attributes`) as ExtendedData. Viewers do not shade
+/// polygons, so faces are coloured by how they lie to a light from the south-west. Convex faces are
+/// polygons as they are; others are cut into triangles, which every viewer fills the same way.
 ///
 /// Longitude and latitude on WGS 84, degrees. Altitudes are the heights of the raster in metres
 /// (altitudeMode absolute): viewers take them for heights above sea level (EGM96), which those of

@@ -19,9 +19,10 @@ std::unique_ptr<ModelWriter> open_model_writer(const std::string& path,
   if (ends_with(".glb")) return std::make_unique<GlbWriter>(path, options);
   if (ends_with(".kml") || ends_with(".kmz")) return std::make_unique<KmlWriter>(path, options);
   if (ends_with(".gpkg")) return std::make_unique<GeoPackageWriter>(path, options);
-  throw Error(ExitCode::kUsage, path +
-                                    ": the kind of model file is not known by this name; end it "
-                                    "with .city.jsonl, .city.json, .obj, .glb, .kml, .kmz or .gpkg");
+  throw Error(ExitCode::kUsage,
+              path +
+                  ": the kind of model file is not known by this name; end it "
+                  "with .city.jsonl, .city.json, .obj, .glb, .kml, .kmz or .gpkg");
 }
 
 }  // namespace gable

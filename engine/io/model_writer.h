@@ -33,9 +33,9 @@ class ModelWriter {
 };
 
 /// Opens a file by the end of its name: .jsonl CityJSONSeq, .json CityJSON, .obj, .glb, .kml, .kmz,
-/// .gpkg. The folder is tried at once. Memory does not grow with the number of buildings for .jsonl,
-/// .obj and .kml. Throws Error: kUsage for another name, or where .kml and .kmz lack a reference
-/// system; kCannotWrite.
+/// .gpkg. The folder is tried at once. Memory does not grow with the number of buildings for
+/// .jsonl, .obj and .kml. Throws Error: kUsage for another name, or where .kml and .kmz lack a
+/// reference system; kCannotWrite.
 std::unique_ptr<ModelWriter> open_model_writer(const std::string& path,
                                                const ModelWriterOptions& options);
 

@@ -32,8 +32,8 @@ void add_output_options(CLI::App* command, OutputOptions* options);
 /// they leave nothing.
 class ModelOutputs {
  public:
-  /// Tries all outputs at once. Throws Error: kUsage for a name of an unknown kind or roof slabs out
-  /// of range, kCannotWrite.
+  /// Tries all outputs at once. Throws Error: kUsage for a name of an unknown kind or roof slabs
+  /// out of range, kCannotWrite.
   ModelOutputs(const OutputOptions& options, const ModelWriterOptions& writer_options);
 
   /// Overhangs of roofs end at these outlines where they are not the building's own (by its id).

@@ -32,11 +32,11 @@ struct HouseSolids {
   std::vector<std::string> dropped;
 };
 
-/// The solids of a house at a level of detail up to 2.2. The parts stand on one another in the order main,
-/// garages, dormers, chimneys: each is what its own blocks show above the upper envelope of all
-/// earlier ones, and reaches down to `base` (metres above House::origin, usually <= 0) where none
-/// of those stands. So parts do not overlap, and together they fill exactly the height field at
-/// support 0 above `base`.
+/// The solids of a house at a level of detail up to 2.2. The parts stand on one another in the
+/// order main, garages, dormers, chimneys: each is what its own blocks show above the upper
+/// envelope of all earlier ones, and reaches down to `base` (metres above House::origin, usually <=
+/// 0) where none of those stands. So parts do not overlap, and together they fill exactly the
+/// height field at support 0 above `base`.
 ///
 /// Components that touch in more than an edge form one solid. A garage, dormer or chimney can fall
 /// into several parts of one index (a chimney cut by a garage roof, say). Bodies of less than 5

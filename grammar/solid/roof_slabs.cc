@@ -47,8 +47,8 @@ VisibleHouse visible_house(const House& house, const std::vector<HousePart>& par
 House lowered(House house, double thickness, bool with_dormers) {
   for (Rule& roof : house.roofs) roof[param::roof::kEaves] -= thickness;
   for (Rule& garage : house.garages) {
-    garage[garage.kind == RuleKind::kGarageL ? param::garage::kHeightL
-                                             : param::garage::kHeightI] -= thickness;
+    garage[garage.kind == RuleKind::kGarageL ? param::garage::kHeightL : param::garage::kHeightI] -=
+        thickness;
   }
   if (with_dormers) {
     for (Rule& dormer : house.dormers) dormer[param::dormer::kEaves] -= thickness;

@@ -71,8 +71,7 @@ bool SlabPlan::shows_at_wall(int block, const Eigen::Vector2d& p) const {
   return !enters_a_body(slab_at(block, wall), wall, Bodies::kOnGround);
 }
 
-bool SlabPlan::enters_a_body(const Candidate& slab, const Eigen::Vector2d& p,
-                             Bodies bodies) const {
+bool SlabPlan::enters_a_body(const Candidate& slab, const Eigen::Vector2d& p, Bodies bodies) const {
   // Parts stand on one another, so what carries a block is the highest of the earlier parts.
   double carried = height(ground_, p), floor = carried;
   int part = -1;
@@ -204,9 +203,8 @@ void SlabPlan::collect_ends_at_walls() {
         for (const PlanSegment& line : lines) {
           const double from = line.from[axis] - wall, to = line.to[axis] - wall;
           if (from * to > 0.0 || from == to) continue;
-          const double along =
-              line.from[1 - axis] +
-              (line.to[1 - axis] - line.from[1 - axis]) * (from / (from - to));
+          const double along = line.from[1 - axis] +
+                               (line.to[1 - axis] - line.from[1 - axis]) * (from / (from - to));
           if (along > body.low[1 - axis] && along < body.high[1 - axis]) end_at(along);
         }
       }

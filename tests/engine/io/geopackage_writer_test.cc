@@ -94,7 +94,7 @@ TEST(GeoPackageWriter, RoofsCarrySlopeAspectAndTheAreaThatIsSeen) {
     EXPECT_NEAR(slope, std::atan(0.5) * 180 / M_PI, 1e-6);
     const double aspect = roof->GetFieldAsDouble("aspect_deg");
     (std::abs(aspect - 180.0) < 1.0 ? south : north) = roof->GetFieldAsDouble("area_m2");
-    if (std::abs(aspect - 180.0) >= 1.0) EXPECT_NEAR(std::fmod(aspect, 360.0), 0.0, 1e-6);
+    EXPECT_NEAR(std::remainder(aspect, 180.0), 0.0, 1e-6);
     for (const OGRPoint& p : *polygon->getExteriorRing()) {
       EXPECT_NEAR(p.getZ(), 10.0 + 3.0 + 0.5 * (4.0 - std::abs(p.getY() - 2000.0)), 1e-6);
     }

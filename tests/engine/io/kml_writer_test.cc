@@ -88,8 +88,7 @@ TEST(KmlWriter, VerticesComeBackToTheMapWithinACentimetre) {
 TEST(KmlWriter, AViewerFindsFoldersPlacemarksAttributesAndPolygonsInSpace) {
   const ScratchFolder scratch;
   Building second = sample_extrusion("<&\">");
-  const std::string path =
-      write_kml(scratch.path("a.kml"), {house_on_the_map("house 1"), second});
+  const std::string path = write_kml(scratch.path("a.kml"), {house_on_the_map("house 1"), second});
   GDALAllRegister();
   const GDALDatasetUniquePtr dataset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(dataset);
