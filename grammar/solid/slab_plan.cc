@@ -6,8 +6,9 @@
 namespace gable {
 namespace {
 
-// Heights nearer than this are the same where slabs and bodies are compared, metres.
-constexpr double kSame = 1e-6;
+// Heights nearer than this are the same where slabs and bodies are compared, metres. No more than
+// rounding: planes that differ little would be the same in a strip instead of along a line.
+constexpr double kSame = 1e-12;
 // How far inside a wall's face it is asked what stands there, metres.
 constexpr double kInset = 1e-6;
 
