@@ -67,6 +67,18 @@ TEST(RoofSlabs, AGableRoofHoldsItsThicknessTimesItsPlan) {
   EXPECT_NEAR(low, 3.0 - 0.15 * 0.5 - 0.35, 1e-6);
 }
 
+TEST(RoofSlabs, HipsReachOutUntilTheEavesAreLevel) {
+  // Hips of 2 and 4 m to a half width of 4 m: the first is twice as steep as the other eaves.
+  const std::vector<Solid> slabs = of_role(
+      valid_slabs(one_block(RuleKind::kRoofHip, {3.0, 2.0, 0.2, 0.4})), PartRole::kRoofSlab);
+  ASSERT_EQ(slabs.size(), 1u);
+  EXPECT_NEAR(volume(slabs), 0.35 * (10.0 + 0.075 + 0.15) * 8.3, 1e-6);
+  std::vector<double> lowest;
+  for (const Eigen::Vector3d& p : slabs[0].vertices) lowest.push_back(p.z());
+  std::sort(lowest.begin(), lowest.end());
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(lowest[i], 3.0 - 0.15 * 0.5 - 0.35, 1e-6);
+}
+
 TEST(RoofSlabs, WithoutOverhangSlabsAndWallsFillTheHouse) {
   for (const RuleKind kind : {RuleKind::kRoofGable, RuleKind::kRoofHip, RuleKind::kRoofFlat}) {
     const House house = one_block(kind, {3.0, 2.0, 0.2, 0.4});
