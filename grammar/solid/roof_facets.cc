@@ -6,9 +6,6 @@
 namespace gable {
 namespace {
 
-// Overhangs nearer than this are made equal, metres: more than solids resolve.
-constexpr double kSameReach = 5e-3;
-
 constexpr double kNoLength = 1e-9;  // metres
 
 using Polygon = std::vector<Eigen::Vector2d>;
@@ -75,12 +72,6 @@ bool meeting_line(const RoofFacet& facet, const RoofFacet& other, const std::vec
          cut_to_polygon(region, segment);
 }
 
-// How far a hip of this run reaches beyond the wall until it is as low as the other eaves.
-double level_overhang(double overhang, double run, double half_width) {
-  const double reach = overhang * run / half_width;
-  return std::abs(reach - overhang) < kSameReach ? overhang : reach;
-}
-
 }  // namespace
 
 int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& planes) const {
@@ -96,11 +87,11 @@ int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& p
   return lowest;
 }
 
-FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double overhang) {
+FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes) {
   using namespace block_value;
   FacetedBlock faceted;
-  faceted.low = {block[kX0] - overhang, block[kY0] - overhang};
-  faceted.high = {block[kX1] + overhang, block[kY1] + overhang};
+  faceted.low = {block[kX0], block[kY0]};
+  faceted.high = {block[kX1], block[kY1]};
   std::vector<Plane> roof;
   if (block.flat) {
     roof.push_back({0.0, 0.0, block[kEaves]});
@@ -110,28 +101,19 @@ FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double ov
     const double u1 = along_x ? block[kX1] : block[kY1];
     const double v0 = along_x ? block[kY0] : block[kX0];
     const double v1 = along_x ? block[kY1] : block[kX1];
-    const double rise = block[kRise], half_width = 0.5 * (v1 - v0);
-    const double across = rise / half_width;
-    const double eaves = block[kEaves] - across * overhang;
     // A plane that leaves the eaves at coordinate `at` of axis u or v with a signed slope.
     const auto rising = [&](bool over_u, double at, double slope) {
       const bool over_x = over_u == along_x;
-      return Plane{over_x ? slope : 0.0, over_x ? 0.0 : slope, eaves - slope * at};
+      return Plane{over_x ? slope : 0.0, over_x ? 0.0 : slope, block[kEaves] - slope * at};
     };
-    roof.push_back(rising(false, v0 - overhang, across));
-    roof.push_back(rising(false, v1 + overhang, -across));
-    const int u = along_x ? 0 : 1;
+    const double across = block[kRise] / (0.5 * (v1 - v0));
+    roof.push_back(rising(false, v0, across));
+    roof.push_back(rising(false, v1, -across));
     if (block[kHipStart] > 0.0) {
-      const double run = block[kHipStart] * (u1 - u0);
-      const double reach = level_overhang(overhang, run, half_width);
-      faceted.low[u] = u0 - reach;
-      roof.push_back(rising(true, u0 - reach, (rise + across * overhang) / (run + reach)));
+      roof.push_back(rising(true, u0, block[kRise] / (block[kHipStart] * (u1 - u0))));
     }
     if (block[kHipEnd] > 0.0) {
-      const double run = block[kHipEnd] * (u1 - u0);
-      const double reach = level_overhang(overhang, run, half_width);
-      faceted.high[u] = u1 + reach;
-      roof.push_back(rising(true, u1 + reach, -(rise + across * overhang) / (run + reach)));
+      roof.push_back(rising(true, u1, -block[kRise] / (block[kHipEnd] * (u1 - u0))));
     }
   }
   for (size_t i = 0; i < roof.size(); ++i) {

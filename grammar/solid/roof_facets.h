@@ -27,12 +27,8 @@ struct FacetedBlock {
   int plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& planes) const;
 };
 
-/// Facets of a block's roof, its planes numbered by `planes`. With `overhang` (metres, >= 0) the
-/// roof is continued beyond the rectangle: its planes fall on at the eaves along the ridge, and
-/// keep their height at gables. A hip falls on until it is as low as the other eaves, so the
-/// overhang is smaller under a steeper hip and larger under a shallower one; where that differs
-/// from `overhang` by less than 5 mm it is `overhang`, and the hip's plane leans accordingly.
-FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double overhang = 0.0);
+/// Facets of a block's roof, its planes numbered by `planes`.
+FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes);
 
 /// Adds the lines in the plan where a facet of one block meets a facet of the other, cut to the
 /// rectangle from `low` to `high`.

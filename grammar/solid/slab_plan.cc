@@ -1,4 +1,5 @@
 #include <gable/grammar/ring.h>
+#include <gable/grammar/solid/overhang.h>
 #include <gable/grammar/solid/slab_plan.h>
 
 #include <algorithm>
@@ -34,11 +35,11 @@ SlabPlan::SlabPlan(const std::vector<SlabBlock>& blocks, double overhang, double
     : blocks_(blocks), thickness_(thickness), neighbours_(neighbours) {
   low_ = Eigen::Vector2d::Constant(1e300);
   high_ = -low_;
-  PlaneSet unused(Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero());
   for (const SlabBlock& b : blocks_) {
-    const FacetedBlock reach = facet_block(b.block, &unused, overhang);
-    low_ = low_.cwiseMin(reach.low);
-    high_ = high_.cwiseMax(reach.high);
+    using namespace block_value;
+    const Block<double> reach = with_overhang(b.block, overhang);
+    low_ = low_.cwiseMin(Eigen::Vector2d(reach[kX0], reach[kY0]));
+    high_ = high_.cwiseMax(Eigen::Vector2d(reach[kX1], reach[kY1]));
   }
   PlaneSet planes(low_, high_);
   ground_ = planes.number_of({0.0, 0.0, base});
@@ -47,8 +48,8 @@ SlabPlan::SlabPlan(const std::vector<SlabBlock>& blocks, double overhang, double
     const Block<double> below = lowered(b.block, b.has_slab ? thickness : 0.0);
     roof.body = facet_block(below, &planes);
     if (!b.has_slab) continue;
-    roof.top = facet_block(b.block, &planes, overhang);
-    roof.underside = facet_block(below, &planes, overhang);
+    roof.top = facet_block(with_overhang(b.block, overhang), &planes);
+    roof.underside = facet_block(with_overhang(below, overhang), &planes);
   }
   planes_ = planes.planes();
   collect_segments();
