@@ -7,20 +7,16 @@
 namespace gable {
 namespace {
 
-/// Positions in the list of surfaces every geometry carries.
+/// The list of surfaces that every geometry carries, by SurfaceType; a slab's lower faces are seen
+/// from below.
 constexpr const char* kSurfaces =
     R"([{"type":"GroundSurface"},{"type":"WallSurface"},{"type":"RoofSurface"}])";
+constexpr const char* kSlabSurfaces =
+    R"([{"type":"OuterCeilingSurface"},{"type":"WallSurface"},{"type":"RoofSurface"}])";
 
 const char* object_type(PartRole role) {
   return role == PartRole::kMain || role == PartRole::kGarage ? "BuildingPart"
                                                               : "BuildingInstallation";
-}
-
-/// "garage-2", or "garage-2-3" for its third piece.
-std::string part_name(const PartModel& part) {
-  std::string name = std::string(part_role_name(part.role)) + "-" + std::to_string(part.index + 1);
-  if (part.piece > 0) name += "-" + std::to_string(part.piece + 1);
-  return name;
 }
 
 /// Two vertices that round to the same stored point are one; a ring that loses its area goes.
@@ -68,7 +64,8 @@ int CityObjects::vertex(const Eigen::Vector3d& world) {
   return it->second;
 }
 
-std::string CityObjects::solid_text(const Solid& solid, const Eigen::Vector3d& origin, Lod lod) {
+std::string CityObjects::solid_text(const Solid& solid, const Eigen::Vector3d& origin, Lod lod,
+                                    PartRole role) {
   std::vector<int> stored(solid.vertices.size(), -1);
   std::vector<std::string> faces, types;
   for (const Face& face : solid.faces) {
@@ -95,7 +92,8 @@ std::string CityObjects::solid_text(const Solid& solid, const Eigen::Vector3d& o
   std::string text =
       std::string(R"({"type":"Solid","lod":")") + lod_name(lod) + R"(","boundaries":[)";
   append_list(faces, &text);
-  text += std::string(R"(],"semantics":{"surfaces":)") + kSurfaces + R"(,"values":[)";
+  text += std::string(R"(],"semantics":{"surfaces":)") +
+          (role == PartRole::kRoofSlab ? kSlabSurfaces : kSurfaces) + R"(,"values":[)";
   append_list(types, &text);
   return text + "]}}";
 }
@@ -107,7 +105,7 @@ void CityObjects::add(const Building& building, const BuildingModel& model) {
     names.push_back(dump_json(building.id + "-" + part_name(part)));
     std::vector<std::string> geometries;
     for (const LodSolid& solid : part.solids) {
-      geometries.push_back(solid_text(solid.solid, model.origin, solid.lod));
+      geometries.push_back(solid_text(solid.solid, model.origin, solid.lod, part.role));
     }
     std::string& text = parts.emplace_back(names.back() + R"(:{"type":")" + object_type(part.role) +
                                            R"(","parents":[)" + parent + R"(],"geometry":)");

@@ -40,7 +40,7 @@ class CityObjects {
 
   int vertex(const Eigen::Vector3d& world);
   /// A geometry of CityJSON as text.
-  std::string solid_text(const Solid& solid, const Eigen::Vector3d& origin, Lod lod);
+  std::string solid_text(const Solid& solid, const Eigen::Vector3d& origin, Lod lod, PartRole role);
 
   Eigen::Vector3d translate_;
   std::string objects_text_;

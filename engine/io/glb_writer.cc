@@ -76,7 +76,7 @@ void GlbWriter::append(const Building&, const BuildingModel& model) {
     for (const Face& face : solid.faces) {
       const auto triangles = triangulate(solid, face);
       const Eigen::Vector3f normal = normal_of(solid, triangles).cast<float>();
-      Mesh& mesh = meshes_[static_cast<size_t>(face.type)];
+      Mesh& mesh = meshes_[static_cast<size_t>(drawn_type(part.role, face.type))];
       std::unordered_map<int, uint32_t> index;
       for (const auto& triangle : triangles) {
         for (const int v : triangle) {

@@ -23,14 +23,30 @@ MemoryFile::MemoryFile(const std::string& extension) : name_(fresh_name(extensio
 MemoryFile::~MemoryFile() { VSIUnlink(name_.c_str()); }
 
 void MemoryFile::close_and_write(GDALDataset* dataset, const std::string& path) {
+  close(dataset, path);
+  AtomicFile file(path);
+  write(&file);
+  file.commit();
+}
+
+void MemoryFile::close_and_write(GDALDataset* dataset, AtomicFile* file) {
+  close(dataset, file->path());
+  write(file);
+}
+
+void MemoryFile::close(GDALDataset* dataset, const std::string& path) {
   const GdalMessages messages;
   GDALClose(dataset);
-  vsi_l_offset size = 0;
-  const GByte* bytes = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
-  if (messages.failed() || !bytes) {
+  if (messages.failed()) {
     throw Error(ExitCode::kInternal, path + ": could not be composed" + messages.suffix());
   }
-  write_file_atomically(path, {reinterpret_cast<const char*>(bytes), static_cast<size_t>(size)});
+}
+
+void MemoryFile::write(AtomicFile* file) {
+  vsi_l_offset size = 0;
+  const GByte* bytes = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
+  if (!bytes) throw Error(ExitCode::kInternal, file->path() + ": could not be composed");
+  file->write({reinterpret_cast<const char*>(bytes), static_cast<size_t>(size)});
 }
 
 }  // namespace gable

@@ -1,6 +1,8 @@
 #include <gable/engine/error.h>
 #include <gable/engine/io/cityjson_writer.h>
+#include <gable/engine/io/geopackage_writer.h>
 #include <gable/engine/io/glb_writer.h>
+#include <gable/engine/io/kml_writer.h>
 #include <gable/engine/io/model_writer.h>
 #include <gable/engine/io/obj_writer.h>
 
@@ -15,9 +17,12 @@ std::unique_ptr<ModelWriter> open_model_writer(const std::string& path,
   if (ends_with(".json")) return std::make_unique<CityJsonWriter>(path, options);
   if (ends_with(".obj")) return std::make_unique<ObjWriter>(path, options);
   if (ends_with(".glb")) return std::make_unique<GlbWriter>(path, options);
-  throw Error(ExitCode::kUsage, path +
-                                    ": the kind of model file is not known by this name; end it "
-                                    "with .city.jsonl, .city.json, .obj or .glb");
+  if (ends_with(".kml") || ends_with(".kmz")) return std::make_unique<KmlWriter>(path, options);
+  if (ends_with(".gpkg")) return std::make_unique<GeoPackageWriter>(path, options);
+  throw Error(ExitCode::kUsage,
+              path +
+                  ": the kind of model file is not known by this name; end it "
+                  "with .city.jsonl, .city.json, .obj, .glb, .kml, .kmz or .gpkg");
 }
 
 }  // namespace gable

@@ -57,7 +57,7 @@ void ObjWriter::append(const Building& building, const BuildingModel& model) {
     for (const SurfaceType type : kTypes) {
       bool named = false;
       for (const Face& face : solid.faces) {
-        if (face.type != type) continue;
+        if (drawn_type(part.role, face.type) != type) continue;
         if (!named) text += std::string("usemtl ") + material(type) + "\n";
         named = true;
         if (face.rings.size() == 1) {

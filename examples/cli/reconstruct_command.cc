@@ -98,6 +98,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   const Grid& grid = files.dsm().grid();
   writer_options.anchor << grid.center_of(grid.rows / 2, grid.cols / 2), 0.0;
   ModelOutputs outputs(options.output, writer_options);
+  if (input.footprints) outputs.set_outlines(*input.footprints);
 
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
@@ -128,7 +129,7 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
     explanations.see(made);
     outside.planes += made.building.status == BuildingStatus::kPlanes;
     outside.extrusions += made.building.status == BuildingStatus::kExtrusion;
-    outputs.append(std::move(made.building), made.model);
+    outputs.append(std::move(made.building), std::move(made.model));
   };
   const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
   progress.reset();

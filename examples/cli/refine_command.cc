@@ -41,7 +41,7 @@ void run(const RefineOptions& options, const CommandContext& context) {
     outputs.draw(made.index, made.building, made.image);
   };
   callbacks.deliver = [&](TileBuilding&& made) {
-    outputs.append(std::move(made.building), made.model);
+    outputs.append(std::move(made.building), std::move(made.model));
     progress.advance();
   };
   if (!refine_models(dsm, dtm, buildings, refine_options, context.stop, callbacks)) {

@@ -11,17 +11,18 @@ namespace gable {
 
 /// Levels of detail, made by dropping nodes of the derivation: 1.2 has the components and garages
 /// with flat tops (a roof's at two thirds of its rise above the eaves), 2.0 the main roofs and
-/// garages, 2.2 dormers and chimneys as well.
-enum class Lod { k12, k20, k22 };
+/// garages, 2.2 dormers and chimneys as well, 2.3 roofs with thickness and overhang (roof_slabs.h).
+enum class Lod { k12, k20, k22, k23 };
 
 /// What a part of a house stands for.
-enum class PartRole { kMain, kGarage, kDormer, kChimney };
+enum class PartRole { kMain, kGarage, kDormer, kChimney, kRoofSlab };
 
 /// One closed solid of a house, in the local frame (world less House::origin), metres.
 struct HousePart {
   PartRole role = PartRole::kMain;
   int index = 0;  ///< which garage, dormer or chimney of the House; for kMain, which of the
-                  ///< separate bodies that the components form, in order of their first component
+                  ///< separate bodies that the components form, in order of their first component;
+                  ///< for kRoofSlab, which of all slabs
   Solid solid;
 };
 
@@ -32,11 +33,11 @@ struct HouseSolids {
   std::vector<std::string> dropped;
 };
 
-/// The solids of a house at a level of detail. The parts stand on one another in the order main,
-/// garages, dormers, chimneys: each is what its own blocks show above the upper envelope of all
-/// earlier ones, and reaches down to `base` (metres above House::origin, usually <= 0) where none
-/// of those stands. So parts do not overlap, and together they fill exactly the height field at
-/// support 0 above `base`.
+/// The solids of a house at a level of detail up to 2.2. The parts stand on one another in the
+/// order main, garages, dormers, chimneys: each is what its own blocks show above the upper
+/// envelope of all earlier ones, and reaches down to `base` (metres above House::origin, usually <=
+/// 0) where none of those stands. So parts do not overlap, and together they fill exactly the
+/// height field at support 0 above `base`.
 ///
 /// Components that touch in more than an edge form one solid. A garage, dormer or chimney can fall
 /// into several parts of one index (a chimney cut by a garage roof, say). Bodies of less than 5

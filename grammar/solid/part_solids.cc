@@ -47,6 +47,16 @@ std::vector<ReachingBlock> reaching(const std::vector<PartBlock>& blocks, double
   return out;
 }
 
+double box_volume(const SurfaceMesh& mesh) {
+  if (mesh.vertices.empty()) return 0.0;
+  Eigen::Vector3d low = mesh.vertices[0], high = low;
+  for (const Eigen::Vector3d& p : mesh.vertices) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  return (high - low).prod();
+}
+
 // The plane of the envelope of `blocks` at a point, or `otherwise`.
 int envelope_plane(const std::vector<ReachingBlock>& blocks, double margin,
                    const Eigen::Vector2d& p, const std::vector<Plane>& planes, int otherwise) {
@@ -92,6 +102,8 @@ std::optional<std::vector<Solid>> solids_over_plan(const std::vector<PlanSegment
   if (!plan) return std::nullopt;
   std::vector<Solid> solids;
   for (const SurfaceMesh& mesh : raise_bodies(*plan, planes)) {
+    // Slivers go before they are looked at: their rings may be too small to make sense.
+    if (box_volume(mesh) < least_volume) continue;
     std::optional<Solid> solid = merge_pieces(mesh);
     if (!solid) return std::nullopt;
     const SolidValidity validity = check_solid(*solid);

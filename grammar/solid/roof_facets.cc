@@ -6,6 +6,8 @@
 namespace gable {
 namespace {
 
+constexpr double kNoLength = 1e-9;  // metres
+
 using Polygon = std::vector<Eigen::Vector2d>;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
@@ -29,6 +31,8 @@ Polygon clip(const Polygon& polygon, const Plane& keep) {
 
 // Cuts the segment from `from` to `to` to the left side of the line through p and q.
 bool cut_to_left(const Eigen::Vector2d& p, const Eigen::Vector2d& q, PlanSegment* segment) {
+  // Where three planes meet at a corner, clipping leaves edges of no length and any direction.
+  if ((q - p).squaredNorm() < kNoLength * kNoLength) return true;
   const double at_from = cross(q - p, segment->from - p);
   const double at_to = cross(q - p, segment->to - p);
   if (at_from < 0.0 && at_to < 0.0) return false;
@@ -124,6 +128,24 @@ FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double ma
   return faceted;
 }
 
+void append_meeting_lines(const FacetedBlock& block, const FacetedBlock& other,
+                          const std::vector<Plane>& planes, const Eigen::Vector2d& low,
+                          const Eigen::Vector2d& high, std::vector<PlanSegment>* segments) {
+  if ((block.high.array() < other.low.array()).any() ||
+      (other.high.array() < block.low.array()).any()) {
+    return;
+  }
+  const Polygon region = rectangle(low, high);
+  for (const RoofFacet& facet : block.facets) {
+    for (const RoofFacet& second : other.facets) {
+      PlanSegment segment;
+      if (facet.plane != second.plane && meeting_line(facet, second, planes, region, &segment)) {
+        segments->push_back(segment);
+      }
+    }
+  }
+}
+
 std::vector<PlanSegment> envelope_segments(const std::vector<const FacetedBlock*>& blocks,
                                            const std::vector<Plane>& planes,
                                            const Eigen::Vector2d& low,
@@ -144,18 +166,7 @@ std::vector<PlanSegment> envelope_segments(const std::vector<const FacetedBlock*
   }
   for (size_t i = 0; i < blocks.size(); ++i) {
     for (size_t j = i + 1; j < blocks.size(); ++j) {
-      if ((blocks[i]->high.array() < blocks[j]->low.array()).any() ||
-          (blocks[j]->high.array() < blocks[i]->low.array()).any()) {
-        continue;
-      }
-      for (const RoofFacet& facet : blocks[i]->facets) {
-        for (const RoofFacet& other : blocks[j]->facets) {
-          PlanSegment segment;
-          if (facet.plane != other.plane && meeting_line(facet, other, planes, region, &segment)) {
-            segments.push_back(segment);
-          }
-        }
-      }
+      append_meeting_lines(*blocks[i], *blocks[j], planes, low, high, &segments);
     }
   }
   return segments;

@@ -31,6 +31,12 @@ struct FacetedBlock {
 /// `margin` metres on every side.
 FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double margin = 0.0);
 
+/// Adds the lines in the plan where a facet of one block meets a facet of the other, cut to the
+/// rectangle from `low` to `high`.
+void append_meeting_lines(const FacetedBlock& block, const FacetedBlock& other,
+                          const std::vector<Plane>& planes, const Eigen::Vector2d& low,
+                          const Eigen::Vector2d& high, std::vector<PlanSegment>* segments);
+
 /// Every line in the plan along which the upper envelope of `blocks` can change its plane: the
 /// facets' outlines and the lines where two facets of different blocks meet, cut to the rectangle
 /// from `low` to `high`.
