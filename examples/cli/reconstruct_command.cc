@@ -1,12 +1,15 @@
 #include "examples/cli/reconstruct_command.h"
 
 #include <gable/engine/error.h>
+#include <gable/engine/io/raster_cache.h>
 #include <gable/engine/reconstruct/explanation.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,9 +18,13 @@
 #include "examples/cli/model_outputs.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
+#include "examples/cli/window_outputs.h"
 
 namespace gable {
 namespace {
+
+/// What is kept of raster files, bytes: a few rows of a wide tile's blocks.
+constexpr size_t kRasterCache = size_t{64} << 20;
 
 struct ReconstructOptions {
   CommonOptions common;
@@ -26,6 +33,8 @@ struct ReconstructOptions {
   DetectorOptions detectors;
   std::string filter;
   std::vector<std::string> explain;  ///< ids
+  int window_cells = TileOptions().window_cells;
+  bool resume = false;
 };
 
 void say(const ReconstructOptions& options, const std::string& line) {
@@ -74,7 +83,35 @@ class Explanations {
   std::string text_;
 };
 
-void run(const ReconstructOptions& options, const CommandContext& context) {
+/// The folder of the output, or the nearest one above it that there is.
+std::string scratch_beside(const std::string& output) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  fs::path folder = fs::absolute(output, none);
+  while (!fs::is_directory(folder, none) && folder.has_relative_path()) {
+    folder = folder.parent_path();
+  }
+  return folder.string();
+}
+
+/// What is wrong with options that are each right by itself.
+void require_sensible(const ReconstructOptions& options) {
+  if (!options.resume) return;
+  if (!names_a_folder(options.output.models)) {
+    throw Error(ExitCode::kUsage, "--resume " + options.output.models +
+                                      ": goes on with a folder of models alone; end -o with /");
+  }
+  if (!options.explain.empty()) {
+    throw Error(ExitCode::kUsage,
+                "--resume makes the missing windows alone, which --explain may not be about; "
+                "leave one of them out");
+  }
+}
+
+void run(ReconstructOptions options, const CLI::App& command, const CommandContext& context) {
+  require_sensible(options);
+  limit_raster_cache(kRasterCache);
+  options.tile.scratch = scratch_beside(options.output.models);
   const TileFiles files(options.tile, [&](const std::string& line) { say(options, line); });
   TileInput input = files.input();
   FootprintFile filter;
@@ -87,13 +124,30 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   writer_options.crs = files.dsm().crs();
   const Grid& grid = files.dsm().grid();
   writer_options.anchor << grid.center_of(grid.rows / 2, grid.cols / 2), 0.0;
-  ModelOutputs outputs(options.output, writer_options);
 
   TileOptions tile_options;
+  tile_options.scratch = options.tile.scratch;
+  tile_options.window_cells = options.window_cells;
   tile_options.threads = options.common.num_threads();
   tile_options.detectors = options.detectors.folder();
   if (tile_options.detectors.empty() && !options.detectors.none) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
+  }
+  std::optional<ModelOutputs> outputs;   // either these
+  std::optional<WindowOutputs> windows;  // or these
+  if (names_a_folder(options.output.models)) {
+    WindowManifest manifest;
+    manifest.version = GABLE_VERSION;
+    manifest.inputs = manifest_inputs(options.tile, files, options.filter, tile_options.detectors);
+    manifest.options = manifest_options(command);
+    windows.emplace(options.output, options.resume, windows_of(input, tile_options),
+                    std::move(manifest), writer_options);
+    if (options.resume) {
+      say(options, options.output.models + ": " + std::to_string(windows->num_done()) + " of " +
+                       std::to_string(windows->num_windows()) + " windows are done already");
+    }
+  } else {
+    outputs.emplace(options.output, writer_options);
   }
   std::unique_ptr<Progress> progress;
   size_t num_extrusions = 0;
@@ -108,18 +162,30 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
                                           progress_style(options.common.quiet), std::cerr);
   };
   callbacks.inspect = [&](const TileBuilding& made) {
-    outputs.draw(made.index, made.building, made.image);
+    if (outputs) outputs->draw(made.index, made.building, made.image);
   };
   callbacks.deliver = [&](TileBuilding&& made) {
     explanations.see(made);
     num_extrusions += made.building.status == BuildingStatus::kExtrusion;
-    outputs.append(std::move(made.building), made.model);
+    outputs ? outputs->append(std::move(made.building), made.model)
+            : windows->append(std::move(made.building), made.model);
     progress->advance();
   };
-  const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
+  if (windows) windows->follow(&callbacks);
+  TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
   progress.reset();
+  if (summary.stopped && windows) {
+    throw Error(ExitCode::kInterrupted, "interrupted; " + std::to_string(windows->num_done()) +
+                                            " of " + std::to_string(windows->num_windows()) +
+                                            " windows are done and kept, go on with --resume");
+  }
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
-  outputs.close();
+  if (windows) {
+    summary = windows->summary();
+    num_extrusions = windows->num_of(BuildingStatus::kExtrusion);
+  } else {
+    outputs->close();
+  }
   summarise(summary, num_extrusions, options);
   explanations.print();
 }
@@ -130,7 +196,7 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
   auto options = std::make_shared<ReconstructOptions>();
   CLI::App* command = app->add_subcommand(
       "reconstruct", "Make house models from surface heights (metres, projected, any cell size)");
-  CLI::Option* footprints = add_tile_file_options(command, &options->tile);
+  CLI::Option* footprints = add_tile_set_options(command, &options->tile);
   command
       ->add_option("--near-footprints", options->filter,
                    "Find buildings in the heights, but keep only those inside an outline's "
@@ -145,9 +211,23 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
       ->type_name("ID")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      ->add_option("--window", options->window_cells,
+                   "Cells along a side of the windows that are worked on one after the other; "
+                   "memory grows with its square")
+      ->type_name("CELLS")
+      ->check(CLI::Range(64, 32768))
+      ->capture_default_str();
+  command->add_flag("--resume", options->resume,
+                    "Go on with a folder of models that was not finished: windows that are done "
+                    "are kept");
   add_output_options(command, &options->output);
+  command->get_option("--output")
+      ->description(
+          "Models: .city.jsonl (CityJSONSeq) or .city.json (CityJSON), or a folder, DIR/, for a "
+          "CityJSONSeq per window and manifest.json");
   add_common_options(command, &options->common);
-  command->callback([options, context] { run(*options, context); });
+  command->callback([options, command, context] { run(*options, *command, context); });
 }
 
 }  // namespace gable
