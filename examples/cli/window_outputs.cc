@@ -47,10 +47,9 @@ const std::string& checked_folder(const OutputOptions& options) {
        {std::pair{"--obj", &options.obj}, {"--glb", &options.glb}, {"--report", &options.report}}) {
     if (value->empty()) continue;
     throw Error(ExitCode::kUsage,
-                std::string(option) + " " + *value + ": there is none for a folder of models; " +
-                    "name a file with -o (it may be made of several tiles), such as " +
-                    fs::path(options.models).lexically_normal().parent_path().string() +
-                    "models.city.jsonl");
+                std::string(option) + " " + *value +
+                    ": there is none beside a folder of models; name a file with -o, which may be "
+                    "made of several tiles as well: -o models.city.jsonl");
   }
   return options.models;
 }

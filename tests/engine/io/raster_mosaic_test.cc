@@ -92,9 +92,9 @@ TEST_F(RasterMosaicTest, AnEmptyTileIsNoErrorUnlessAllAre) {
 
 TEST_F(RasterMosaicTest, TilesThatDoNotFitAreNamed) {
   EXPECT_EQ(refused(ramp(1002.25, 2000.0, 4, 4), "between those of"), ExitCode::kBadInput);
-  EXPECT_EQ(refused({{{1002.0, 2000.0}, 0.25, 4, 4}, std::vector<float>(16, 1.0f)},
-                    "cells of 0.25 m, but"),
-            ExitCode::kBadInput);
+  HeightRaster fine = ramp(1002.0, 2000.0, 4, 4);
+  fine.grid.gsd = 0.25;
+  EXPECT_EQ(refused(fine, "cells of 0.25 m, but"), ExitCode::kBadInput);
   EXPECT_EQ(refused(ramp(1002.0, 2000.0, 4, 4), "-t_srs EPSG:28992", "EPSG:27700"),
             ExitCode::kBadInput);
   EXPECT_EQ(refused(ramp(1e12, 2000.0, 4, 4), "too far"), ExitCode::kBadInput);
