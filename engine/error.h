@@ -13,7 +13,8 @@ enum class ExitCode {
   kBadInput = 4,     ///< an input file is not what it should be (format, CRS, no data, no overlap)
   kCannotWrite = 5,  ///< an output cannot be written (no such folder, no permission, full disk)
   kInternal = 70,    ///< a defect of gable itself
-  kInterrupted = 130,  ///< stopped by Ctrl-C or a termination signal; no output was written
+  kInterrupted = 130,  ///< stopped by Ctrl-C or a termination signal; no output was written, but
+                       ///< for the windows that a folder of models has
 };
 
 /// Bad input or an output that cannot be written: one line that names the file and the remedy.

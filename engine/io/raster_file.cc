@@ -3,7 +3,6 @@
 #include <gable/engine/io/raster_crs.h>
 #include <gable/engine/io/raster_file.h>
 #include <gable/engine/io/readable.h>
-#include <gable/engine/io/resample.h>
 #include <gdal_priv.h>
 
 #include <algorithm>
@@ -34,7 +33,6 @@ struct RasterFile::Impl {
   std::mutex mutex;
 
   void open(const RasterFileOptions& options);
-  void require_heights();
   HeightRaster read(int row0, int col0, int rows, int cols);
   void require(CPLErr status, const GdalMessages& messages) const;
 };
@@ -63,23 +61,6 @@ void RasterFile::Impl::open(const RasterFileOptions& options) {
   masked = !(band->GetMaskFlags() & GMF_ALL_VALID);
   scale = band->GetScale() * checked.metres_per_height_unit;
   offset = band->GetOffset() * checked.metres_per_height_unit;
-  require_heights();
-}
-
-/// Reads strips of the file's own blocks until the first height: nothing but the first strip,
-/// unless the file starts with nodata.
-void RasterFile::Impl::require_heights() {
-  int block_cols = 0, block_rows = 0;
-  band->GetBlockSize(&block_cols, &block_rows);
-  const int step = std::clamp(block_rows, 1, 512);
-  for (int row = 0; row < grid.rows; row += step) {
-    const HeightRaster strip = read(row, 0, std::min(step, grid.rows - row), grid.cols);
-    for (const float z : strip.values) {
-      if (!std::isnan(z)) return;
-    }
-  }
-  throw Error(ExitCode::kBadInput,
-              path + ": holds no height at all, every cell is nodata; check its nodata value");
 }
 
 void RasterFile::Impl::require(CPLErr status, const GdalMessages& messages) const {
@@ -120,6 +101,13 @@ RasterFile::RasterFile(const std::string& path, const RasterFileOptions& options
     : impl_(std::make_unique<Impl>()) {
   impl_->path = path;
   impl_->open(options);
+  // By strips of the file's own blocks: nothing but the first one, unless it starts with nodata.
+  int block_cols = 0, block_rows = 0;
+  impl_->band->GetBlockSize(&block_cols, &block_rows);
+  if (!options.may_be_empty && !holds_height(*this, std::clamp(block_rows, 1, 512))) {
+    throw Error(ExitCode::kBadInput,
+                path + ": holds no height at all, every cell is nodata; check its nodata value");
+  }
 }
 
 RasterFile::~RasterFile() = default;
@@ -135,34 +123,5 @@ HeightRaster RasterFile::read(int row0, int col0, int rows, int cols) const {
 }
 
 HeightRaster RasterFile::read() const { return read(0, 0, grid().rows, grid().cols); }
-
-HeightRaster RasterFile::read_onto(const Grid& target) const {
-  if (!overlap(target, grid())) return HeightRaster(target, kNoHeight);
-  const Eigen::Vector2d first = grid().cell_of(target.center_of(0, 0));
-  const Eigen::Vector2d last = grid().cell_of(target.center_of(target.rows - 1, target.cols - 1));
-  const auto clamp = [](double position, int count) {
-    return static_cast<int>(std::clamp(position, 0.0, static_cast<double>(count)));
-  };
-  const int row0 = clamp(std::floor(first.x()) - 1, grid().rows);
-  const int col0 = clamp(std::floor(first.y()) - 1, grid().cols);
-  const int row1 = clamp(std::ceil(last.x()) + 2, grid().rows);
-  const int col1 = clamp(std::ceil(last.y()) + 2, grid().cols);
-  return resample_bilinear(read(row0, col0, row1 - row0, col1 - col0), target);
-}
-
-void require_matching(const RasterFile& dsm, const RasterFile& dtm) {
-  if (!same_horizontal_crs(dsm.crs(), dtm.crs())) {
-    const std::string code =
-        dsm.crs().epsg ? "EPSG:" + std::to_string(dsm.crs().epsg) : std::string("EPSG:NNNN");
-    throw Error(ExitCode::kBadInput, dtm.path() + ": is in " + dtm.crs().name + ", but " +
-                                         dsm.path() + " is in " + dsm.crs().name +
-                                         "; warp it first: gdalwarp -t_srs " + code +
-                                         " -r bilinear " + dtm.path() + " warped.tif");
-  }
-  if (!overlap(dsm.grid(), dtm.grid())) {
-    throw Error(ExitCode::kBadInput, dtm.path() + ": does not overlap " + dsm.path() +
-                                         "; give the terrain of the same area");
-  }
-}
 
 }  // namespace gable

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <gable/engine/io/crs.h>
-#include <gable/grammar/raster.h>
+#include <gable/engine/io/height_source.h>
 
 #include <memory>
 #include <string>
@@ -11,43 +10,37 @@ namespace gable {
 struct RasterFileOptions {
   /// CRS of files that carry none, e.g. "EPSG:27700". Empty: such files are refused.
   std::string crs;
+  /// Whether a file that holds nothing but nodata is taken as well.
+  bool may_be_empty = false;
 };
 
 /// A raster of heights on disk (GeoTIFF, COG, ASC, VRT and whatever else GDAL reads), read window
 /// by window. Once open it is known to lie on a north-up grid of square cells in projected metres
 /// and to hold at least one height. Reading is safe from several threads (one at a time).
-class RasterFile {
+class RasterFile : public HeightSource {
  public:
   /// Throws Error, naming the file and the remedy: kNoInput where it does not exist or may not be
   /// read; kBadInput where it is no raster, has several bands, no georeference, a turned or
   /// non-square grid, no CRS, a CRS that is not in projected metres, fewer than 2 x 2 cells, or
   /// nothing but nodata. Throws kUsage where options.crs is no CRS.
   explicit RasterFile(const std::string& path, const RasterFileOptions& options = {});
-  ~RasterFile();
+  ~RasterFile() override;
   RasterFile(RasterFile&&) noexcept;
   RasterFile& operator=(RasterFile&&) noexcept;
 
-  const std::string& path() const;
-  const Grid& grid() const;
-  const Crs& crs() const;
+  const std::string& path() const override;
+  const Grid& grid() const override;
+  const Crs& crs() const override;
 
   /// The cells [row0, row0 + rows) x [col0, col0 + cols), which must lie inside grid(). Metres;
   /// heights in feet are converted where the file declares them. NaN for nodata, infinite values
   /// and values no terrain has (beyond 10 km). Throws Error (kBadInput) where the file is damaged.
-  HeightRaster read(int row0, int col0, int rows, int cols) const;
+  HeightRaster read(int row0, int col0, int rows, int cols) const override;
   HeightRaster read() const;
-
-  /// The heights at the cell centres of another grid of the same CRS, see `resample_bilinear`. Only
-  /// the part of the file under that grid is read.
-  HeightRaster read_onto(const Grid& target) const;
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
-
-/// Checks that a terrain raster can be used with a surface raster: same horizontal CRS, extents
-/// that overlap. Throws Error (kBadInput) that names both files.
-void require_matching(const RasterFile& dsm, const RasterFile& dtm);
 
 }  // namespace gable

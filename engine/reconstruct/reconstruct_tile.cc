@@ -40,6 +40,11 @@ void join_window(const JoinOptions& options, int threads, const std::stop_token&
 
 }  // namespace
 
+std::vector<TileWindow> windows_of(const TileInput& input, const TileOptions& options) {
+  // An outline where there are no heights is a building all the same.
+  return tile_windows(*input.dsm, options.window_cells, input.footprints != nullptr);
+}
+
 TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
                              const std::stop_token& stop, const TileCallbacks& callbacks) {
   std::optional<DetectorPool> pool;

@@ -3,12 +3,13 @@
 #include <gable/engine/io/building.h>
 #include <gable/engine/io/building_model.h>
 #include <gable/engine/io/footprint_file.h>
-#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/height_source.h>
 #include <gable/engine/reconstruct/find_houses.h>
 #include <gable/engine/reconstruct/height_crop.h>
 #include <gable/engine/reconstruct/join_neighbours.h>
 #include <gable/engine/reconstruct/reconstruct_building.h>
 #include <gable/engine/reconstruct/terrain.h>
+#include <gable/engine/reconstruct/tile_windows.h>
 #include <gable/residuals/height_image.h>
 
 #include <cstddef>
@@ -21,8 +22,9 @@ namespace gable {
 
 /// What is reconstructed.
 struct TileInput {
-  const RasterFile* dsm = nullptr;
-  const RasterFile* dtm = nullptr;  ///< null: the terrain is derived from the surface
+  const HeightSource* dsm = nullptr;
+  /// Null: the terrain is derived from the surface. It is also derived where this does not reach.
+  const HeightSource* dtm = nullptr;
   /// Every polygon is one building; null: buildings are found in the heights.
   const std::vector<Footprint>* footprints = nullptr;
   /// Where buildings are found in the heights: only those near a polygon are kept, see
@@ -37,8 +39,11 @@ struct TileOptions {
   TerrainOptions terrain;
   int window_cells = 2048;  ///< the raster is worked on in windows of this size, [64, 32768]
   /// By how much windows reach beyond that, metres, [0, 10000]. Buildings found in the heights that
-  /// are longer may be cut where windows meet.
+  /// reach further into both of two windows are cut where these meet.
   double overlap = 100.0;
+  /// Folder of temporary files: derived terrain, where the raster has several windows. Nothing is
+  /// left there. Empty: the system's.
+  std::string scratch;
   int threads = 1;  ///< [1, 1024]
   /// Folder of the learned detectors (engine/detectors/detector_nets.h), a second source of first
   /// values; empty: none.
@@ -64,19 +69,6 @@ struct TileBuilding {
   std::vector<UsedRelation> relations;
 };
 
-/// What a caller does with the buildings. Members may be empty.
-struct TileCallbacks {
-  /// Called on the calling thread, in order, when a building has been made: before it is delivered,
-  /// and long before where neighbours are joined.
-  std::function<void()> made;
-  /// Called by worker threads, in any order, before the building is delivered.
-  std::function<void(const TileBuilding&)> inspect;
-  /// Called on the calling thread, in order.
-  std::function<void(TileBuilding&&)> deliver;
-  /// Called on the calling thread when the buildings of a window are known.
-  std::function<void(int window, int num_windows, size_t num_buildings)> begin_window;
-};
-
 /// What happened.
 struct TileSummary {
   size_t num_buildings = 0;
@@ -86,12 +78,35 @@ struct TileSummary {
   bool stopped = false;
 };
 
+/// What a caller does with the buildings. Members may be empty.
+struct TileCallbacks {
+  /// Asked on the calling thread before a window is worked on; false leaves it out, which changes
+  /// nothing in the others.
+  std::function<bool(const TileWindow&)> wants_window;
+  /// Called on the calling thread, in order, when a building has been made: before it is delivered,
+  /// and long before where neighbours are joined.
+  std::function<void()> made;
+  /// Called by worker threads, in any order, before the building is delivered.
+  std::function<void(const TileBuilding&)> inspect;
+  /// Called on the calling thread, in order.
+  std::function<void(TileBuilding&&)> deliver;
+  /// Called on the calling thread when the buildings of a window are known.
+  std::function<void(int window, int num_windows, size_t num_buildings)> begin_window;
+  /// Called on the calling thread when all buildings of a window have been delivered, with what
+  /// happened in this window alone. Not called for the window that a stop request hits.
+  std::function<void(const TileWindow&, const TileSummary&)> end_window;
+};
+
+/// The windows that `reconstruct_tile` works on, in its order: all that may hold a building.
+std::vector<TileWindow> windows_of(const TileInput& input, const TileOptions& options);
+
 /// Reconstructs all buildings of a raster of any size, window by window, on several threads. The
 /// buildings and their order depend on neither the number of threads nor their timing. Where
 /// neighbours are joined, all buildings of a window are held until it is done, and a window that a
 /// stop request interrupts delivers nothing: what is delivered is final. Buildings that are found
-/// get ids from their place: "b<easting>_<northing>" in decimetres. Throws Error where a file is
-/// damaged, before any work where it is one of the detectors.
+/// get ids from their place: "b<easting>_<northing>" in decimetres (a tenth of that and less where
+/// cells are smaller than 0.23 m). Memory depends on the size of a window, not on that of the
+/// raster. Throws Error where a file is damaged, before any work where it is one of the detectors.
 TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
                              const std::stop_token& stop, const TileCallbacks& callbacks);
 

@@ -27,6 +27,41 @@ std::vector<CellBox> window_cores(const Grid& grid, int cells) {
   return cores;
 }
 
+std::vector<TileWindow> tile_windows(const HeightSource& dsm, int cells, bool everywhere) {
+  const Grid& grid = dsm.grid();
+  std::vector<CellBox> parts;
+  for (const Grid& tile : dsm.tiles()) parts.push_back(cells_of_part(tile, grid));
+  const int across = (grid.cols + cells - 1) / cells;
+  std::vector<TileWindow> windows;
+  int place = 0;
+  for (const CellBox& core : window_cores(grid, cells)) {
+    const bool held =
+        everywhere || std::any_of(parts.begin(), parts.end(), [&](const CellBox& part) {
+          return !intersection_of(part, core).empty();
+        });
+    const int index = static_cast<int>(windows.size());
+    if (held) windows.push_back({index, place / across, place % across, core});
+    ++place;
+  }
+  return windows;
+}
+
+CellBox cells_of_part(const Grid& part, const Grid& grid) {
+  const Eigen::Vector2d first = grid.cell_of(part.center_of(0, 0));
+  // Cells are counted as real numbers first: the part may lie anywhere.
+  const double row = std::round(first.x()), col = std::round(first.y());
+  const auto within = [](double cell, int cells) {
+    return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(cells)));
+  };
+  return {within(row, grid.rows), within(col, grid.cols), within(row + part.rows, grid.rows),
+          within(col + part.cols, grid.cols)};
+}
+
+CellBox intersection_of(const CellBox& a, const CellBox& b) {
+  return {std::max(a.row0, b.row0), std::max(a.col0, b.col0), std::min(a.row1, b.row1),
+          std::min(a.col1, b.col1)};
+}
+
 Grid sub_grid(const Grid& grid, const CellBox& box) {
   Grid sub = grid;
   sub.north_west += grid.gsd * Eigen::Vector2d(box.col0, -box.row0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gable/engine/io/height_source.h>
 #include <gable/engine/reconstruct/find_houses.h>
 #include <gable/grammar/raster.h>
 
@@ -11,6 +12,23 @@ namespace gable {
 /// The cores of the windows that a raster is worked on in: at most `cells` x `cells` each, row by
 /// row, of nearly equal size, without gap or overlap.
 std::vector<CellBox> window_cores(const Grid& grid, int cells);
+
+/// One of the windows that a raster is worked on in.
+struct TileWindow {
+  int index = 0;         ///< among the windows that are worked on, row by row
+  int row = 0, col = 0;  ///< in the pattern of windows, from the north-west
+  CellBox core;          ///< buildings with their centre here are its own
+};
+
+/// The windows with cores of at most `cells` x `cells`, row by row; all of them or, where not
+/// `everywhere`, those that may hold heights.
+std::vector<TileWindow> tile_windows(const HeightSource& dsm, int cells, bool everywhere);
+
+/// The cells of `grid` that lie in `part`, a grid of the same cells; may be empty.
+CellBox cells_of_part(const Grid& part, const Grid& grid);
+
+/// The cells that both boxes hold; may be empty.
+CellBox intersection_of(const CellBox& a, const CellBox& b);
 
 /// The part of `grid` that a box covers.
 Grid sub_grid(const Grid& grid, const CellBox& box);

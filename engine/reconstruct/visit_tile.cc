@@ -1,6 +1,6 @@
-#include <gable/engine/reconstruct/fill.h>
 #include <gable/engine/reconstruct/ordered_pool.h>
 #include <gable/engine/reconstruct/tile_crops.h>
+#include <gable/engine/reconstruct/tile_terrain.h>
 #include <gable/engine/reconstruct/tile_windows.h>
 #include <gable/engine/reconstruct/visit_tile.h>
 #include <gable/grammar/polygon_cells.h>
@@ -21,6 +21,16 @@ CellBox extent_of(const PlanPolygon& polygon, const Grid& grid) {
   return cells_around(extent.min(), extent.max(), grid);
 }
 
+/// Whether the bounding box of a polygon, enlarged to three times its size, reaches a grid.
+bool is_near(const PlanPolygon& polygon, const Grid& grid) {
+  Eigen::AlignedBox2d extent, box;
+  for (const Eigen::Vector2d& p : polygon.outer) extent.extend(p);
+  if (extent.isEmpty()) return false;
+  box.extend(grid.north_west);
+  box.extend(grid.north_west + grid.gsd * Eigen::Vector2d(grid.cols, -grid.rows));
+  return box.intersects({extent.min() - extent.sizes(), extent.max() + extent.sizes()});
+}
+
 PlanPolygon moved(PlanPolygon polygon, const Eigen::Vector2d& origin) {
   for (Eigen::Vector2d& p : polygon.outer) p -= origin;
   for (auto& hole : polygon.holes) {
@@ -28,6 +38,9 @@ PlanPolygon moved(PlanPolygon polygon, const Eigen::Vector2d& origin) {
   }
   return polygon;
 }
+
+/// Centres of houses are half cells apart; their ids differ where this is more than a unit.
+constexpr double kLeastUnitsPerCell = 2.25;
 
 /// The heights of one window.
 struct Window {
@@ -45,7 +58,9 @@ class TileVisit {
         callbacks_(callbacks),
         make_(make),
         join_(join),
-        grid_(input.dsm->grid()) {
+        grid_(input.dsm->grid()),
+        terrain_(*input.dsm, input.dtm,
+                 {options.terrain, options.window_cells, options.overlap, options.scratch}) {
     if (!input.footprints) return;
     for (const Footprint& footprint : *input.footprints) {
       extents_.push_back(extent_of(footprint.polygon, grid_));
@@ -53,28 +68,34 @@ class TileVisit {
   }
 
   TileSummary run() {
-    const std::vector<CellBox> cores = window_cores(grid_, options_.window_cells);
-    for (size_t i = 0; i < cores.size() && !summary_.stopped; ++i) {
-      window_ = static_cast<int>(i);
-      num_windows_ = static_cast<int>(cores.size());
-      input_.footprints ? over_footprints(cores[i]) : over_found_houses(cores[i]);
+    const std::vector<TileWindow> windows = windows_of(input_, options_);
+    num_windows_ = static_cast<int>(windows.size());
+    for (window_ = 0; window_ < num_windows_ && !summary_.stopped; ++window_) {
+      const TileWindow& window = windows[window_];
+      if (callbacks_.wants_window && !callbacks_.wants_window(window)) continue;
+      const TileSummary before = summary_;
+      input_.footprints ? over_footprints(window.core) : over_found_houses(window.core);
+      if (!summary_.stopped && callbacks_.end_window) {
+        callbacks_.end_window(window, since(before));
+      }
     }
     return summary_;
   }
 
  private:
-  Window read(const CellBox& core, const CellBox& box) const {
+  TileSummary since(const TileSummary& before) const {
+    TileSummary summary = summary_;
+    summary.num_buildings -= before.num_buildings;
+    summary.num_small -= before.num_small;
+    summary.num_crown -= before.num_crown;
+    summary.num_far -= before.num_far;
+    return summary;
+  }
+
+  Window read(const CellBox& core, const CellBox& box) {
     Window window{core, box, {}, {}};
     window.dsm = input_.dsm->read(box.row0, box.col0, box.row1 - box.row0, box.col1 - box.col0);
-    if (!input_.dtm) {
-      window.dtm = derive_terrain(window.dsm, options_.terrain);
-      return window;
-    }
-    window.dtm = input_.dtm->read_onto(window.dsm.grid);
-    const auto& heights = window.dtm.values;
-    if (std::any_of(heights.begin(), heights.end(), [](float z) { return !std::isfinite(z); })) {
-      window.dtm = fill_smoothly(window.dtm);
-    }
+    window.dtm = terrain_.read(box);
     return window;
   }
 
@@ -83,20 +104,21 @@ class TileVisit {
     FoundHouses found = find_houses(window.dsm, window.dtm, options_.find);
     if (input_.filter) {
       std::vector<PlanPolygon> polygons;
-      for (const Footprint& footprint : *input_.filter) polygons.push_back(footprint.polygon);
+      for (const Footprint& footprint : *input_.filter) {
+        if (is_near(footprint.polygon, window.dsm.grid)) polygons.push_back(footprint.polygon);
+      }
       summary_.num_far += keep_near_footprints(polygons, &found);
     }
     summary_.num_small += found.num_small;
     summary_.num_crown += found.num_crown;
     std::vector<size_t> mine;
     std::vector<std::string> ids;
+    std::unordered_set<std::string> taken;
     for (size_t i = 0; i < found.houses.size(); ++i) {
-      CellBox box = found.houses[i].box;
-      box = {box.row0 + window.box.row0, box.col0 + window.box.col0, box.row1 + window.box.row0,
-             box.col1 + window.box.col0};
-      if (!holds_center(core, box)) continue;
+      if (!holds_center(core, in_tile(found.houses[i].box, window))) continue;
+      if (!cut_where_it_goes_on(window, i, &found)) continue;
       mine.push_back(i);
-      ids.push_back(id_of_place(box));
+      ids.push_back(id_of_place(in_tile(found.houses[i].box, window), &taken));
     }
     visit_all(mine.size(), [&](size_t i) {
       TileBuilding out;
@@ -178,13 +200,53 @@ class TileVisit {
     if (callbacks_.deliver) callbacks_.deliver(std::move(building));
   }
 
-  std::string id_of_place(const CellBox& box) {
+  static CellBox in_tile(const CellBox& box, const Window& window) {
+    return {box.row0 + window.box.row0, box.col0 + window.box.col0, box.row1 + window.box.row0,
+            box.col1 + window.box.col0};
+  }
+
+  /// Cuts a house that goes on beyond the window where the cores meet. The next window sees as
+  /// much of it on its side of that border, takes its part for a house of its own, and cuts it as
+  /// well. Says whether anything is left.
+  bool cut_where_it_goes_on(const Window& window, size_t index, FoundHouses* found) const {
+    FoundHouse& house = found->houses[index];
+    const CellBox box = in_tile(house.box, window);
+    const bool goes_on = (box.row0 == window.box.row0 && box.row0 > 0) ||
+                         (box.col0 == window.box.col0 && box.col0 > 0) ||
+                         (box.row1 == window.box.row1 && box.row1 < grid_.rows) ||
+                         (box.col1 == window.box.col1 && box.col1 < grid_.cols);
+    if (!goes_on) return true;
+    const int label = static_cast<int>(index) + 1;
+    FoundHouse part;
+    for (int row = house.box.row0; row < house.box.row1; ++row) {
+      for (int col = house.box.col0; col < house.box.col1; ++col) {
+        int& cell = found->label.at(row, col);
+        if (cell != label) continue;
+        const int tile_row = row + window.box.row0, tile_col = col + window.box.col0;
+        if (tile_row >= window.core.row0 && tile_row < window.core.row1 &&
+            tile_col >= window.core.col0 && tile_col < window.core.col1) {
+          part.box.add(row, col);
+          ++part.num_cells;
+        } else {
+          cell = FoundHouses::kDropped;
+        }
+      }
+    }
+    house = part;
+    return part.num_cells > 0;
+  }
+
+  /// Two houses can have one centre (one stands in the other's yard), and both are of the window
+  /// whose core holds it: `taken` are this window's. The unit is so small that other houses differ.
+  std::string id_of_place(const CellBox& box, std::unordered_set<std::string>* taken) const {
     const Eigen::Vector2d center =
         0.5 * (grid_.center_of(box.row0, box.col0) + grid_.center_of(box.row1 - 1, box.col1 - 1));
-    const std::string id = "b" + std::to_string(std::llround(10.0 * center.x())) + "_" +
-                           std::to_string(std::llround(10.0 * center.y()));
+    double units_per_metre = 10.0;
+    while (units_per_metre * grid_.gsd < kLeastUnitsPerCell) units_per_metre *= 10.0;
+    const std::string id = "b" + std::to_string(std::llround(units_per_metre * center.x())) + "_" +
+                           std::to_string(std::llround(units_per_metre * center.y()));
     std::string unique = id;
-    for (int k = 2; !ids_.insert(unique).second; ++k) unique = id + "-" + std::to_string(k);
+    for (int k = 2; !taken->insert(unique).second; ++k) unique = id + "-" + std::to_string(k);
     return unique;
   }
 
@@ -196,7 +258,7 @@ class TileVisit {
   const JoinBuildings& join_;
   const Grid grid_;
   std::vector<CellBox> extents_;  ///< of the footprints
-  std::unordered_set<std::string> ids_;
+  TileTerrain terrain_;
   TileSummary summary_;
   int window_ = 0, num_windows_ = 0;
 };

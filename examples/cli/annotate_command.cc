@@ -66,7 +66,7 @@ std::string name_in_data(const std::string& file) {
   return fs::path(file).filename().string();
 }
 
-HeightRaster heights_around(const RasterFile& dsm, const CropFrame& frame) {
+HeightRaster heights_around(const HeightSource& dsm, const CropFrame& frame) {
   const Grid grid = grid_around(frame, dsm.grid());
   if (grid.rows <= 0 || grid.cols <= 0) return {};
   const Eigen::Vector2d first = dsm.grid().cell_of(grid.center_of(0, 0));
@@ -111,7 +111,7 @@ AnnotationSheets sheets_into(StagedFolder* folder, const AnnotateOptions& option
 
 void propose(const AnnotateOptions& options, const CommandContext& context) {
   const TileFiles files(options.tile, [&](const std::string& line) { say(options, line); });
-  const RasterFile& dsm = files.dsm();
+  const HeightSource& dsm = files.dsm();
   HouseAnswers answers{
       {name_in_data(options.tile.dsm), name_in_data(options.tile.dtm),
        name_in_data(options.tile.footprints), epsg_text(dsm.crs()), dsm.grid().gsd},

@@ -65,9 +65,12 @@ void read_real(const std::string& path, const EvaluateDetectorsOptions& options,
     throw Error(ExitCode::kNoInput, dsm + ": does not exist, and " + path +
                                         " was annotated in it; say with --data where it lies");
   }
-  const TileFiles files({dsm, in_data(options, tile.source.dtm),
-                         in_data(options, tile.source.footprints), tile.source.crs},
-                        [](const std::string&) {});
+  TileFileOptions tile_files;
+  tile_files.dsm = dsm;
+  tile_files.dtm = in_data(options, tile.source.dtm);
+  tile_files.footprints = in_data(options, tile.source.footprints);
+  tile_files.crs = tile.source.crs;
+  const TileFiles files(tile_files, [](const std::string&) {});
   TileOptions tile_options;
   tile_options.threads = options.common.num_threads();
   std::vector<AnnotatedImage> images =

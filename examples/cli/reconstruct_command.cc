@@ -1,12 +1,15 @@
 #include "examples/cli/reconstruct_command.h"
 
 #include <gable/engine/error.h>
+#include <gable/engine/io/raster_cache.h>
 #include <gable/engine/reconstruct/explanation.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,9 +18,13 @@
 #include "examples/cli/model_outputs.h"
 #include "examples/cli/progress.h"
 #include "examples/cli/tile_files.h"
+#include "examples/cli/window_outputs.h"
 
 namespace gable {
 namespace {
+
+/// What is kept of raster files, bytes: a few rows of a wide tile's blocks.
+constexpr size_t kRasterCache = size_t{64} << 20;
 
 struct ReconstructOptions {
   CommonOptions common;
@@ -28,6 +35,8 @@ struct ReconstructOptions {
   std::string filter;
   std::vector<std::string> explain;  ///< ids
   bool no_join = false;
+  int window_cells = TileOptions().window_cells;
+  bool resume = false;
 };
 
 void say(const ReconstructOptions& options, const std::string& line) {
@@ -84,7 +93,35 @@ class Explanations {
   std::string text_;
 };
 
-void run(const ReconstructOptions& options, const CommandContext& context) {
+/// The folder of the output, or the nearest one above it that there is.
+std::string scratch_beside(const std::string& output) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  fs::path folder = fs::absolute(output, none);
+  while (!fs::is_directory(folder, none) && folder.has_relative_path()) {
+    folder = folder.parent_path();
+  }
+  return folder.string();
+}
+
+/// What is wrong with options that are each right by itself.
+void require_sensible(const ReconstructOptions& options) {
+  if (!options.resume) return;
+  if (!names_a_folder(options.output.models)) {
+    throw Error(ExitCode::kUsage, "--resume " + options.output.models +
+                                      ": goes on with a folder of models alone; end -o with /");
+  }
+  if (!options.explain.empty()) {
+    throw Error(ExitCode::kUsage,
+                "--resume makes the missing windows alone, which --explain may not be about; "
+                "leave one of them out");
+  }
+}
+
+void run(ReconstructOptions options, const CLI::App& command, const CommandContext& context) {
+  require_sensible(options);
+  limit_raster_cache(kRasterCache);
+  options.tile.scratch = scratch_beside(options.output.models);
   const TileFiles files(options.tile, [&](const std::string& line) { say(options, line); });
   TileInput input = files.input();
   FootprintFile filter;
@@ -97,10 +134,10 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   writer_options.crs = files.dsm().crs();
   const Grid& grid = files.dsm().grid();
   writer_options.anchor << grid.center_of(grid.rows / 2, grid.cols / 2), 0.0;
-  ModelOutputs outputs(options.output, writer_options);
-  if (input.footprints) outputs.set_outlines(*input.footprints);
 
   TileOptions tile_options;
+  tile_options.scratch = options.tile.scratch;
+  tile_options.window_cells = options.window_cells;
   tile_options.threads = options.common.num_threads();
   tile_options.detectors = options.detectors.folder();
   tile_options.building.scales = !options.no_scales;
@@ -109,6 +146,23 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
   tile_options.join_neighbours = !options.no_join;
+  std::optional<ModelOutputs> outputs;   // either these
+  std::optional<WindowOutputs> windows;  // or these
+  if (names_a_folder(options.output.models)) {
+    WindowManifest manifest;
+    manifest.version = GABLE_VERSION;
+    manifest.inputs = manifest_inputs(options.tile, files, options.filter, tile_options.detectors);
+    manifest.options = manifest_options(command);
+    windows.emplace(options.output, options.resume, windows_of(input, tile_options),
+                    std::move(manifest), writer_options);
+    if (options.resume) {
+      say(options, options.output.models + ": " + std::to_string(windows->num_done()) + " of " +
+                       std::to_string(windows->num_windows()) + " windows are done already");
+    }
+  } else {
+    outputs.emplace(options.output, writer_options);
+    if (input.footprints) outputs->set_outlines(*input.footprints);
+  }
   std::unique_ptr<Progress> progress;
   OutsideGrammar outside;
   Explanations explanations(options.explain);
@@ -123,18 +177,31 @@ void run(const ReconstructOptions& options, const CommandContext& context) {
   };
   callbacks.made = [&] { progress->advance(); };
   callbacks.inspect = [&](const TileBuilding& made) {
-    outputs.draw(made.index, made.building, made.image);
+    if (outputs) outputs->draw(made.index, made.building, made.image);
   };
   callbacks.deliver = [&](TileBuilding&& made) {
     explanations.see(made);
     outside.planes += made.building.status == BuildingStatus::kPlanes;
     outside.extrusions += made.building.status == BuildingStatus::kExtrusion;
-    outputs.append(std::move(made.building), std::move(made.model));
+    outputs ? outputs->append(std::move(made.building), std::move(made.model))
+            : windows->append(std::move(made.building), made.model);
   };
-  const TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
+  if (windows) windows->follow(&callbacks);
+  TileSummary summary = reconstruct_tile(input, tile_options, context.stop, callbacks);
   progress.reset();
+  if (summary.stopped && windows) {
+    throw Error(ExitCode::kInterrupted, "interrupted; " + std::to_string(windows->num_done()) +
+                                            " of " + std::to_string(windows->num_windows()) +
+                                            " windows are done and kept, go on with --resume");
+  }
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
-  outputs.close();
+  if (windows) {
+    summary = windows->summary();
+    outside.planes = windows->num_of(BuildingStatus::kPlanes);
+    outside.extrusions = windows->num_of(BuildingStatus::kExtrusion);
+  } else {
+    outputs->close();
+  }
   summarise(summary, outside, options);
   explanations.print();
 }
@@ -145,7 +212,7 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
   auto options = std::make_shared<ReconstructOptions>();
   CLI::App* command = app->add_subcommand(
       "reconstruct", "Make house models from surface heights (metres, projected, any cell size)");
-  CLI::Option* footprints = add_tile_file_options(command, &options->tile);
+  CLI::Option* footprints = add_tile_set_options(command, &options->tile);
   command
       ->add_option("--near-footprints", options->filter,
                    "Find buildings in the heights, but keep only those inside an outline's "
@@ -168,9 +235,23 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
   command->add_flag("--no-join", options->no_join,
                     "Leave houses that share a party wall as each was fitted by itself, instead of "
                     "refining them together");
+  command
+      ->add_option("--window", options->window_cells,
+                   "Cells along a side of the windows that are worked on one after the other; "
+                   "memory grows with its square")
+      ->type_name("CELLS")
+      ->check(CLI::Range(64, 32768))
+      ->capture_default_str();
+  command->add_flag("--resume", options->resume,
+                    "Go on with a folder of models that was not finished: windows that are done "
+                    "are kept");
   add_output_options(command, &options->output);
+  command->get_option("--output")
+      ->description(
+          "Models: .city.jsonl (CityJSONSeq) or .city.json (CityJSON), or a folder, DIR/, for a "
+          "CityJSONSeq per window and manifest.json");
   add_common_options(command, &options->common);
-  command->callback([options, context] { run(*options, context); });
+  command->callback([options, command, context] { run(*options, *command, context); });
 }
 
 }  // namespace gable

@@ -37,12 +37,9 @@ std::string temporary_file() {
   return path;
 }
 
-}  // namespace
-
-ProgramRun run_gable(const std::vector<std::string>& arguments) {
+ProgramRun run_command(std::string command, const std::vector<std::string>& arguments) {
   const std::string out = temporary_file();
   const std::string err = temporary_file();
-  std::string command = quoted(GABLE_PROGRAM);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
   command += " >" + quoted(out) + " 2>" + quoted(err) + " </dev/null";
   const int status = std::system(command.c_str());
@@ -51,6 +48,19 @@ ProgramRun run_gable(const std::vector<std::string>& arguments) {
   run.out = read_and_remove(out);
   run.err = read_and_remove(err);
   return run;
+}
+
+}  // namespace
+
+ProgramRun run_gable(const std::vector<std::string>& arguments) {
+  return run_command(quoted(GABLE_PROGRAM), arguments);
+}
+
+ProgramRun run_gable_for(double seconds, const std::string& signal,
+                         const std::vector<std::string>& arguments) {
+  return run_command("timeout --preserve-status -s " + signal + " " + std::to_string(seconds) +
+                         " " + quoted(GABLE_PROGRAM),
+                     arguments);
 }
 
 int num_lines(const std::string& text) {

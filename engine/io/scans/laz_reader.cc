@@ -49,10 +49,12 @@ class LazPoints {
     require(laszip_open_reader_stream(reader_, stream_, &compressed));
     require(laszip_get_point_pointer(reader_, &record_));
   }
-  void next(Eigen::Vector3d* point, int* classification, bool extended) {
+  void next(LasPoint* point, bool extended) {
     require(laszip_read_point(reader_));
-    require(laszip_get_coordinates(reader_, point->data()));
-    *classification = extended ? record_->extended_classification : record_->classification;
+    require(laszip_get_coordinates(reader_, point->position.data()));
+    point->classification = extended ? record_->extended_classification : record_->classification;
+    point->withheld =
+        extended ? (record_->extended_classification_flags & 4) != 0 : record_->withheld_flag != 0;
   }
 
  private:
@@ -71,19 +73,30 @@ class LazPoints {
 
 }  // namespace
 
+void visit_laz_points(std::string_view bytes, const std::string& path,
+                      const std::function<void(const LasPoint&)>& visit) {
+  const LasHeader header = read_las_header(bytes, path);
+  require_chunk_table(bytes, header, path);
+  LazPoints points(bytes, path);
+  points.open();
+  LasPoint point;
+  for (size_t i = 0; i < header.count; ++i) {
+    points.next(&point, header.format > 5);
+    visit(point);
+  }
+}
+
 ScanFile read_laz(std::string_view bytes, const std::string& path) {
   const LasHeader header = read_las_header(bytes, path);
   if (!header.compressed) return read_las(bytes, path);
   if (header.count > INT_MAX) refuse_scan(path, "announces more points than a scan may have");
-  require_chunk_table(bytes, header, path);
-  LazPoints points(bytes, path);
-  points.open();
   Scan scan;
   std::vector<int>& classes = scan.labels["class"];
   // Without reserving: a compressed file of any size might hold any number of points.
-  for (size_t i = 0; i < header.count; ++i) {
-    points.next(&scan.points.emplace_back(), &classes.emplace_back(), header.format > 5);
-  }
+  visit_laz_points(bytes, path, [&](const LasPoint& point) {
+    scan.points.push_back(point.position);
+    classes.push_back(point.classification);
+  });
   return finish_scan(std::move(scan), path);
 }
 
@@ -92,10 +105,20 @@ ScanFile read_laz(std::string_view bytes, const std::string& path) {
 #else
 
 namespace gable {
+namespace {
 
-ScanFile read_laz(std::string_view, const std::string& path) {
+[[noreturn]] void refuse_laz(const std::string& path) {
   refuse_scan(path, "is LAZ, which this gable is built without",
               "convert it to LAS, or rebuild gable with LASzip");
+}
+
+}  // namespace
+
+ScanFile read_laz(std::string_view, const std::string& path) { refuse_laz(path); }
+
+void visit_laz_points(std::string_view, const std::string& path,
+                      const std::function<void(const LasPoint&)>&) {
+  refuse_laz(path);
 }
 
 }  // namespace gable
