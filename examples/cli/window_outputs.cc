@@ -55,7 +55,7 @@ const std::string& checked_folder(const OutputOptions& options) {
                     ": there is none beside a folder of models; name a file with -o, which may be "
                     "made of several tiles as well: -o models.city.jsonl");
   }
-  if (options.thickness > 0.0) {
+  if (options.slabs.wanted()) {
     throw Error(ExitCode::kUsage,
                 "--thickness: roofs as slabs end at neighbours that other windows hold; name a "
                 "file with -o, which may be made of several tiles as well: -o models.city.jsonl");
