@@ -34,7 +34,7 @@ struct RelationScale {
 
 struct NeighbourRelationOptions {
   RelationScale wall = {0.6, 0.005, 0.3};           ///< metres
-  RelationScale height = {0.2, 0.01, 0.04};         ///< of eaves and ridges, metres
+  RelationScale height = {0.15, 0.015, 0.03};       ///< of eaves and ridges, metres
   RelationScale azimuth = {0.0698, 0.0035, 0.026};  ///< radians: 4, 0.2 and 1.5 degrees
   double wall_angle = 0.175;   ///< between party walls, radians (10 degrees), (0, 0.5]
   double least_contact = 1.5;  ///< length that party walls share, metres, (0, 100]

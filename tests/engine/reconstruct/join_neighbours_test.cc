@@ -100,7 +100,7 @@ TEST(JoinNeighbours, ThreadsAndCutsOfGroupsAreRepeatable) {
   }
 }
 
-TEST(JoinNeighbours, AHouseThatWouldLoseItsHeightsIsLeftOutAndTheOthersAreJoined) {
+TEST(JoinNeighbours, AHouseThatWouldLoseItsHeightsKeepsItsWallsAlone) {
   Window window = fitted_row(4);
   // The last house's eaves are known to be 0.25 m higher; nothing lets go here.
   for (float& z : window.images[3].height) z += z > 2.0f ? 0.25f : 0.0f;
@@ -108,12 +108,29 @@ TEST(JoinNeighbours, AHouseThatWouldLoseItsHeightsIsLeftOutAndTheOthersAreJoined
   single.stages = {last_stage(true)};
   refine_house(window.images[3], single, &*window.buildings[3].house);
   JoinOptions options = options_for_outlines();
-  options.refinement.relations.height = {0.3, 0.002, 10.0};
+  options.refinement.relations.height = {0.3, 0.01, 10.0};
   const auto joined = join_neighbours(window.fitted(), options, 1, {});
-  EXPECT_FALSE(joined[3].has_value());
-  EXPECT_TRUE(joined[0].has_value());
-  EXPECT_TRUE(joined[1].has_value());
-  for (const UsedRelation& relation : joined[1]->relations) EXPECT_NE(relation.neighbour, "h3");
+  for (int i = 0; i < 4; ++i) {
+    ASSERT_TRUE(joined[i].has_value());
+    int heights = 0;
+    for (const UsedRelation& relation : joined[i]->relations) {
+      const bool wall = relation.kind == NeighbourRelationKind::kPartyWall;
+      EXPECT_TRUE(i != 3 || wall);
+      heights += relation.kind == NeighbourRelationKind::kEqualEaves;
+    }
+    EXPECT_TRUE(i != 0 || heights == 1);
+  }
+}
+
+TEST(JoinNeighbours, WhereNothingMayBeLostNothingIsJoined) {
+  const Window window = fitted_row(3);
+  JoinOptions options = options_for_outlines();
+  options.cost_rise = 0.0;
+  options.rounds = 1;
+  options.refinement.relations.height = {0.3, 0.0001, 10.0};
+  for (const auto& joined : join_neighbours(window.fitted(), options, 1, {})) {
+    EXPECT_FALSE(joined.has_value());
+  }
 }
 
 TEST(JoinNeighbours, AStopRequestLeavesHousesAsTheyWere) {

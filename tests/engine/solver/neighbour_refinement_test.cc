@@ -83,15 +83,15 @@ TEST(NeighbourRefinement, EqualEavesAreTheWeightedMeanInClosedForm) {
 }
 
 TEST(NeighbourRefinement, ARelationLetsGoWhereHeightsDisagree) {
-  Row row = two_flats(5.0, 5.25);
+  Row row = two_flats(5.0, 5.12);
   const std::vector<NeighbourRelation> relations =
       detect_neighbour_relations(row.views(), NeighbourRelationOptions{});
   ASSERT_EQ(relations[1].kind, Kind::kEqualEaves);
   NeighbourRefinementOptions options;
-  options.relations.height.let_go = 0.02;
+  options.relations.height.let_go = 0.005;
   refine_neighbours(row.neighbours(), relations, options);
   EXPECT_NEAR(row.houses[0].roofs[0][0], 5.0, 0.01);
-  EXPECT_NEAR(row.houses[1].roofs[0][0], 5.25, 0.03);
+  EXPECT_NEAR(row.houses[1].roofs[0][0], 5.12, 0.03);
 }
 
 TEST(NeighbourRefinement, WallsOfExactHousesBecomeOneWhereTheyAre) {
