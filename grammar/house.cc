@@ -30,10 +30,6 @@ int num_footprints(Foundation foundation) {
   return footprint_kind(foundation) == RuleKind::kFootprintI ? num_components(foundation) : 1;
 }
 
-bool is_roof(RuleKind kind) {
-  return kind == RuleKind::kRoofFlat || kind == RuleKind::kRoofGable || kind == RuleKind::kRoofHip;
-}
-
 template <typename RulePointer, typename HouseType>
 std::vector<RulePointer> collect(HouseType& house) {
   std::vector<RulePointer> rules;

@@ -131,6 +131,7 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
       for (int rule : relation.rules) seen.push_back(blocks[rule]);
       problem.AddResidualBlock(relation.cost.release(), nullptr, seen);
     }
+    if (options.add_residuals) options.add_residuals(*house, blocks, &problem);
     for (size_t b = 0; b < rules.size(); ++b) set_bounds(*rules[b], top, blocks[b], &problem);
     if (!options.refine_azimuth) problem.SetParameterBlockConstant(blocks[0]);
     for (size_t b = 0; b < rules.size() && !options.only_rules.empty(); ++b) {
