@@ -20,20 +20,35 @@ inline bool stands_on_roof(BlockRole role) {
   return role == BlockRole::kDormer || role == BlockRole::kChimney;
 }
 
-/// Positions in Block::values.
+/// Positions in Block::values. A roof has hips or broken sides, never both: the last two values are
+/// the hips' or, of a mansard, the break's. The sums of the optimiser's innermost loop grow with
+/// the square of the number of values.
 namespace block_value {
-enum { kX0, kX1, kY0, kY1, kEaves, kRise, kHipStart, kHipEnd };
+enum {
+  kX0,
+  kX1,
+  kY0,
+  kY1,
+  kEaves,
+  kRise,
+  kHipStart,
+  kHipEnd,
+  kBreakHeight = kHipStart,
+  kBreakRun = kHipEnd
+};
 }
 inline constexpr int kNumBlockValues = 8;
 
-/// A rectangle of the house frame under a flat, gable or hip roof: what every rule expands to.
-/// values: x0 < x1 and y0 < y1 (metres, house frame), eaves height and ridge rise (metres), and the
-/// share of the length taken by the hip at the start and at the end of the ridge.
+/// A rectangle of the house frame under a flat, gable, hip or mansard roof: what every rule expands
+/// to. values: x0 < x1 and y0 < y1 (metres, house frame), eaves height and ridge rise (metres), and
+/// the share of the length taken by the hip at the start and at the end of the ridge, or the shares
+/// of the rise and of the half width at which a mansard's sides break.
 template <typename T>
 struct Block {
   std::array<T, kNumBlockValues> values;
   Axis ridge = Axis::kX;
-  bool flat = false;  ///< no ridge: rise and hips are not read
+  bool flat = false;     ///< no ridge: rise and hips are not read
+  bool mansard = false;  ///< broken sides and no hips
 
   const T& operator[](int i) const { return values[i]; }
   T& operator[](int i) { return values[i]; }
@@ -129,6 +144,11 @@ Block<T> expand_block(const House& house, const BlockSource& source, const T* ow
       if (rule.kind == RuleKind::kRoofHip) {
         block[kHipStart] = own[param::roof::kHipStart];
         block[kHipEnd] = own[param::roof::kHipEnd];
+      }
+      block.mansard = rule.kind == RuleKind::kRoofMansard;
+      if (block.mansard) {
+        block[kBreakHeight] = own[param::mansard::kBreakHeight];
+        block[kBreakRun] = own[param::mansard::kBreakRun];
       }
       break;
     }

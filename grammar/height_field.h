@@ -10,9 +10,29 @@
 namespace gable {
 
 /// The planes a roof is made of, named in the direction of the ridge: kLow and kHigh are the sides
-/// at the rectangle's lower and higher coordinate across the ridge, kStart and kEnd the hips.
-enum class Facet { kFlat, kLow, kHigh, kStart, kEnd };
-inline constexpr int kNumFacets = 5;
+/// at the rectangle's lower and higher coordinate across the ridge, kStart and kEnd the hips. A
+/// mansard's sides are kLow and kHigh up to the break, kUpperLow and kUpperHigh above it.
+enum class Facet { kFlat, kLow, kHigh, kStart, kEnd, kUpperLow, kUpperHigh };
+inline constexpr int kNumFacets = 7;
+
+/// Whether a block's roof has a facet of this name. The roof is the minimum of these planes.
+template <typename T>
+bool has_facet(const Block<T>& block, Facet facet) {
+  using namespace block_value;
+  switch (facet) {
+    case Facet::kFlat:
+      return block.flat;
+    case Facet::kLow:
+    case Facet::kHigh:
+      return !block.flat;
+    case Facet::kStart:
+      return !block.flat && !block.mansard && block[kHipStart] > T(0.0);
+    case Facet::kEnd:
+      return !block.flat && !block.mansard && block[kHipEnd] > T(0.0);
+    default:
+      return !block.flat && block.mansard;
+  }
+}
 
 /// The facet of a block's roof over a point (x, y) inside its rectangle, house frame: that of the
 /// least height. T: the block's scalar; P: the point's (double, or T where the point moves as
@@ -36,6 +56,12 @@ Facet roof_facet(const Block<T>& block, const P& x, const P& y) {
   const T from_high = v1 - v;
   const bool high = from_high < from_low;
   const T& to_eaves = high ? from_high : from_low;
+  if (block.mansard) {
+    if (to_eaves > block[kBreakRun] * half_width) {
+      return high ? Facet::kUpperHigh : Facet::kUpperLow;
+    }
+    return high ? Facet::kHigh : Facet::kLow;
+  }
   const T start_run = block[kHipStart] * (u1 - u0);
   const T end_run = block[kHipEnd] * (u1 - u0);
   // Compare run against run instead of dividing: a gable end has no hip run at all.
@@ -48,7 +74,8 @@ Facet roof_facet(const Block<T>& block, const P& x, const P& y) {
 }
 
 /// Height at (x, y) of the plane that a facet lies in, house frame, metres: eaves + rise * the
-/// share of the run from the facet's eaves to the ridge. Linear in the point.
+/// share of the run from the facet's eaves to the ridge; a mansard's sides lie in the planes
+/// through eaves and break, and through break and ridge. Linear in the point.
 template <typename T, typename P>
 T facet_height(const Block<T>& block, Facet facet, const P& x, const P& y) {
   using namespace block_value;
@@ -67,13 +94,22 @@ T facet_height(const Block<T>& block, Facet facet, const P& x, const P& y) {
     return block[kEaves] + block[kRise] * (u1 - u) / (block[kHipEnd] * (u1 - u0));
   }
   const T half_width = (v1 - v0) * T(0.5);
-  if (facet == Facet::kHigh) return block[kEaves] + block[kRise] * (v1 - v) / half_width;
-  return block[kEaves] + block[kRise] * (v - v0) / half_width;
+  const bool high = facet == Facet::kHigh || facet == Facet::kUpperHigh;
+  const T from_eaves = high ? T(v1 - v) : T(v - v0);
+  if (!block.mansard) return block[kEaves] + block[kRise] * from_eaves / half_width;
+  const T break_run = block[kBreakRun] * half_width;
+  if (facet == Facet::kLow || facet == Facet::kHigh) {
+    return block[kEaves] + block[kRise] * block[kBreakHeight] * from_eaves / break_run;
+  }
+  return block[kEaves] + block[kRise] * (block[kBreakHeight] + (T(1.0) - block[kBreakHeight]) *
+                                                                   (from_eaves - break_run) /
+                                                                   (half_width - break_run));
 }
 
 /// Height of a block's roof at a point (x, y) inside its rectangle, house frame, metres: eaves +
 /// rise * min(across, start, end), where `across` falls from 1 at the ridge to 0 at the eaves, and
-/// `start` and `end` rise from 0 at the gable wall to 1 where the hip meets the ridge.
+/// `start` and `end` rise from 0 at the gable wall to 1 where the hip meets the ridge. A mansard is
+/// the minimum of its lower and upper sides.
 template <typename T, typename P>
 T roof_height(const Block<T>& block, const P& x, const P& y) {
   return facet_height(block, roof_facet(block, x, y), x, y);

@@ -32,10 +32,6 @@ int num_footprints(Foundation foundation, int components) {
   return footprint_kind(foundation) == RuleKind::kFootprintI ? components : 1;
 }
 
-bool is_roof(RuleKind kind) {
-  return kind == RuleKind::kRoofFlat || kind == RuleKind::kRoofGable || kind == RuleKind::kRoofHip;
-}
-
 template <typename RulePointer, typename HouseType>
 std::vector<RulePointer> collect(HouseType& house) {
   std::vector<RulePointer> rules;

@@ -1,5 +1,7 @@
 #include <gable/grammar/rule.h>
 
+#include <cassert>
+
 namespace gable {
 namespace {
 
@@ -43,6 +45,13 @@ constexpr ParameterSpec kRoof[] = {
     {"hip_end", "1", 0.0, 0.5, 0.1, "common value (NPR 4.2)"},
 };
 
+constexpr ParameterSpec kMansard[] = {
+    kRoof[param::roof::kEaves],
+    kRoof[param::roof::kRise],
+    {"break_height", "1", 0.5, 0.95, 0.65, "common value"},
+    {"break_run", "1", 0.05, 0.5, 0.3, "common value"},
+};
+
 constexpr ParameterSpec kDormer[] = {
     {"center_x", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
     {"center_y", "m", -kInf, kInf, 0.0, "detected centre (NPR 4.3)"},
@@ -77,6 +86,9 @@ constexpr ParameterSpec kGarageL[] = {
     {"height", "m", 0.5, 200.0, 2.6, "mean height inside (NPR 4.4)"},
 };
 
+// What the names of all roofs begin with.
+constexpr std::string_view kRoofPrefix = "roof_";
+
 struct RuleTable {
   std::string_view name;
   std::span<const ParameterSpec> specs;
@@ -91,6 +103,7 @@ const RuleTable& table(RuleKind kind) {
       {"roof_flat", std::span(kRoof, 1)},
       {"roof_gable", std::span(kRoof, 2)},
       {"roof_hip", std::span(kRoof, 4)},
+      {"roof_mansard", kMansard},
       {"dormer", kDormer},
       {"chimney", kChimney},
       {"garage_i", kGarageI},
@@ -113,6 +126,13 @@ bool rule_kind_from_name(std::string_view name, RuleKind* kind) {
     }
   }
   return false;
+}
+
+bool is_roof(RuleKind kind) { return rule_name(kind).starts_with(kRoofPrefix); }
+
+std::string_view roof_name(RuleKind kind) {
+  assert(is_roof(kind));
+  return rule_name(kind).substr(kRoofPrefix.size());
 }
 
 int Rule::size() const { return static_cast<int>(parameter_specs(kind).size()); }

@@ -28,13 +28,14 @@ enum class RuleKind {
   kRoofFlat,
   kRoofGable,
   kRoofHip,
+  kRoofMansard,
   kDormer,
   kChimney,
   kGarageI,
   kGarageL,
 };
 
-inline constexpr int kNumRuleKinds = 11;
+inline constexpr int kNumRuleKinds = 12;
 inline constexpr int kMaxRuleParameters = 8;
 
 /// Parameters of a rule, in the order in which their values are stored.
@@ -45,6 +46,12 @@ std::string_view rule_name(RuleKind kind);
 
 /// Inverse of `rule_name`. Returns false where no rule has that name.
 bool rule_kind_from_name(std::string_view name, RuleKind* kind);
+
+/// Whether a rule is a roof of a component: flat, gable, hip or mansard.
+bool is_roof(RuleKind kind);
+
+/// What people call a kind of roof: "flat", "gable", "hip" or "mansard". Only for roofs.
+std::string_view roof_name(RuleKind kind);
 
 /// Axis of the house frame.
 enum class Axis { kX, kY };
@@ -76,6 +83,13 @@ enum {
 }
 namespace roof {  // kRoofFlat has eaves only, kRoofGable eaves and rise
 enum { kEaves, kRise, kHipStart, kHipEnd };
+}
+/// Eaves and rise are those of every roof. Both long sides are broken: the steep lower part takes
+/// the share kBreakRun of the half width and climbs the share kBreakHeight of the rise. The table
+/// bounds the first from above and the second from below by one half, so that the lower part is
+/// never the less steep one.
+namespace mansard {  // kRoofMansard
+enum { kEaves, kRise, kBreakHeight, kBreakRun };
 }
 namespace dormer {
 enum { kCenterX, kCenterY, kWidth, kDepth, kEaves, kRise };

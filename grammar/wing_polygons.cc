@@ -26,7 +26,7 @@ struct QuarterTurns {
         apply(along_x ? Eigen::Vector2d(1.0, 0.0) : Eigen::Vector2d(0.0, 1.0));
     if (turns % 2 == 1) out.roof.ridge = along_x ? Axis::kY : Axis::kX;
     // A reversed axis swaps the ends of the ridge.
-    if (ridge.x() + ridge.y() < 0.0) {
+    if (r.roof.kind == RuleKind::kRoofHip && ridge.x() + ridge.y() < 0.0) {
       std::swap(out.roof[param::roof::kHipStart], out.roof[param::roof::kHipEnd]);
     }
     return out;

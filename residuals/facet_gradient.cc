@@ -9,14 +9,20 @@ FacetGradient facet_gradient(const Block<double>& block, Facet facet) {
   Block<Jet> jets;
   jets.ridge = block.ridge;
   jets.flat = block.flat;
+  jets.mansard = block.mansard;
   for (int k = 0; k < kNumBlockValues; ++k) jets.values[k] = Jet(block[k], k);
   FacetGradient gradient;
-  // Close to the facet, so that a short hip's large terms do not cancel.
+  // Close to the facet, so that the large terms of a short hip or a steep side do not cancel.
   gradient.anchor = 0.5 * Eigen::Vector2d(block[kX0] + block[kX1], block[kY0] + block[kY1]);
   const bool along_x = block.ridge == Axis::kX;
   double& along = along_x ? gradient.anchor.x() : gradient.anchor.y();
   if (facet == Facet::kStart) along = along_x ? block[kX0] : block[kY0];
   if (facet == Facet::kEnd) along = along_x ? block[kX1] : block[kY1];
+  if (block.mansard) {
+    double& across = along_x ? gradient.anchor.y() : gradient.anchor.x();
+    if (facet == Facet::kLow) across = along_x ? block[kY0] : block[kX0];
+    if (facet == Facet::kHigh) across = along_x ? block[kY1] : block[kX1];
+  }
   const double x = gradient.anchor.x(), y = gradient.anchor.y();
   gradient.values.col(0) = facet_height<Jet, double>(jets, facet, x, y).v;
   gradient.values.col(1) =

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gable/grammar/raster.h>
+
 #include <Eigen/Core>
 #include <vector>
 
@@ -30,5 +32,11 @@ struct HeightImage {
 inline bool is_evidence(const HeightImage& image, size_t pixel) {
   return image.weight[pixel] >= 0.5f;
 }
+
+/// Whole rasters (of one grid) as the image of one building whose local frame is at `origin`
+/// (world): cells without a height or terrain have weight 0, cells more than 2 m over the terrain
+/// are inside.
+HeightImage height_image(const HeightRaster& dsm, const HeightRaster& dtm,
+                         const Eigen::Vector3d& origin);
 
 }  // namespace gable

@@ -137,8 +137,8 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
     gradients.resize(num_blocks);
     for (int b = 0; b < num_blocks; ++b) {
       for (int f = 0; f < kNumFacets; ++f) {
-        if ((f == static_cast<int>(Facet::kFlat)) != blocks[b].flat) continue;
-        gradients[b][f] = facet_gradient(blocks[b], static_cast<Facet>(f));
+        const Facet facet = static_cast<Facet>(f);
+        if (has_facet(blocks[b], facet)) gradients[b][f] = facet_gradient(blocks[b], facet);
       }
     }
   }

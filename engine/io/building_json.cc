@@ -12,7 +12,7 @@ Json rule_json(const Rule& rule, const std::vector<double>* deviations) {
   Json json;
   json["rule"] = rule_name(rule.kind);
   if (rule.component >= 0) json["component"] = rule.component;
-  if (rule.kind == RuleKind::kRoofGable || rule.kind == RuleKind::kRoofHip) {
+  if (is_roof(rule.kind) && rule.kind != RuleKind::kRoofFlat) {
     json["ridge"] = rule.ridge == Axis::kX ? "x" : "y";
   }
   const auto specs = parameter_specs(rule.kind);
@@ -103,11 +103,6 @@ Json derivation_json(const Building& building) {
 double bearing_deg(const House& house) {
   const double bearing = std::fmod(90.0 - house.azimuth[0] * (180.0 / M_PI), 360.0);
   return bearing < 0.0 ? std::fmod(bearing + 360.0, 360.0) : bearing;
-}
-
-const char* roof_name(RuleKind kind) {
-  if (kind == RuleKind::kRoofGable) return "gable";
-  return kind == RuleKind::kRoofHip ? "hip" : "flat";
 }
 
 double ridge_height(const Rule& roof) {

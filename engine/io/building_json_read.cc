@@ -99,6 +99,7 @@ void place(const Rule& rule, House* house) {
     case RuleKind::kRoofFlat:
     case RuleKind::kRoofGable:
     case RuleKind::kRoofHip:
+    case RuleKind::kRoofMansard:
       house->roofs.push_back(rule);
       return;
     case RuleKind::kDormer:
@@ -125,8 +126,7 @@ void read_house(const Reader& reader, const Json& derivation, Foundation foundat
   for (const Json& json : rules) {
     std::vector<double> deviations;
     const Rule rule = read_rule(reader, json, &deviations);
-    const bool roofs = last >= RuleKind::kRoofFlat && last <= RuleKind::kRoofHip &&
-                       rule.kind >= RuleKind::kRoofFlat && rule.kind <= RuleKind::kRoofHip;
+    const bool roofs = is_roof(last) && is_roof(rule.kind);
     const bool garages = last >= RuleKind::kGarageI && rule.kind >= RuleKind::kGarageI;
     if (rule.kind < last && !roofs && !garages) reader.fail("the rules are out of order");
     last = rule.kind;

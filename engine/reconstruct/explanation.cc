@@ -31,11 +31,7 @@ std::string foundation_of(const Candidate& candidate) {
 
 std::string roofs_of(const House& house) {
   std::vector<std::string> roofs;
-  for (const Rule& roof : house.roofs) {
-    roofs.push_back(roof.kind == RuleKind::kRoofFlat    ? "flat"
-                    : roof.kind == RuleKind::kRoofGable ? "gable"
-                                                        : "hip");
-  }
+  for (const Rule& roof : house.roofs) roofs.emplace_back(roof_name(roof.kind));
   return joined(roofs);
 }
 

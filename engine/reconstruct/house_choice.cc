@@ -2,6 +2,7 @@
 #include <gable/engine/reconstruct/derivation_rewrites.h>
 #include <gable/engine/reconstruct/grow_blocks.h>
 #include <gable/engine/reconstruct/house_choice.h>
+#include <gable/engine/reconstruct/mansard_roofs.h>
 #include <gable/engine/reconstruct/roof_simplification.h>
 #include <gable/grammar/height_field.h>
 #include <glog/logging.h>
@@ -255,6 +256,8 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   // Details are dear to look for: only where they can still make a hypothesis the best.
   double cheapest = std::numeric_limits<double>::infinity();
   for (Candidate& c : finalists) {
+    // Before details: the bulge of a broken side would come out as dormers.
+    make_mansards(image, penalty, &c.house);
     c.cost = penalised_cost(image, c.house, penalty);
     c.stage = ChoiceStage::kPriced;
     cheapest = std::min(cheapest, c.cost.total);

@@ -57,6 +57,7 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
       for (int rule : relation.rules) seen.push_back(blocks[rule]);
       problem.AddResidualBlock(relation.cost.release(), nullptr, seen);
     }
+    if (options.add_residuals) options.add_residuals(*house, blocks, &problem);
     set_house_bounds(image, house, &problem);
     if (!options.refine_azimuth) problem.SetParameterBlockConstant(blocks[0]);
     for (size_t b = 0; b < blocks.size() && !options.only_rules.empty(); ++b) {

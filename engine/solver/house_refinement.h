@@ -6,6 +6,8 @@
 #include <gable/residuals/house_relations.h>
 #include <gable/residuals/robust_loss.h>
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct RefinementStage {
   int stride = 1;           ///< use every stride-th pixel of every stride-th row, [1, 64]
   int max_iterations = 20;  ///< [1, 1000]
 };
+
+/// Adds residuals of one's own to the problem of a stage. `blocks` are the parameter blocks in the
+/// order of House::derivation(), which `house` gives the kinds and positions of; the values are
+/// read and written through `blocks`. The problem takes ownership of the cost functions. Called
+/// once per stage, from the thread that refines.
+using AddResiduals = std::function<void(const House& house, std::span<double* const> blocks,
+                                        ceres::Problem* problem)>;
 
 /// How a house is refined against a height image (NPR section 4.5).
 struct RefinementOptions {
@@ -36,6 +45,9 @@ struct RefinementOptions {
   /// `height_deviation`, the standard deviation of one pixel's height, metres, (0, 100].
   std::vector<ParameterPrior> priors;
   double height_deviation = 0.2;
+  /// What else is known, as residuals of one's own; empty: nothing. One that is a difference in
+  /// metres of standard deviation d is weighed against pixels by `height_deviation` / d.
+  AddResiduals add_residuals;
   bool deviations = true;  ///< compute the parameters' standard deviations at the end
 };
 
@@ -45,10 +57,10 @@ std::string check(const RefinementOptions& options);
 /// What a refinement did.
 struct RefinementSummary {
   std::vector<MinimizerSummary> stages;
-  double final_cost =
-      -1.0;             ///< half the sum of squared residuals in the last stage, priors included
-  int num_samples = 0;  ///< pixels compared in the last stage
-  int iterations = 0;   ///< over all stages
+  double final_cost = -1.0;  ///< half the sum of squared residuals in the last stage, priors and
+                             ///< own residuals included
+  int num_samples = 0;       ///< pixels compared in the last stage
+  int iterations = 0;        ///< over all stages
   double time_ms = 0.0;
   Termination termination = Termination::kFailed;  ///< of the last stage
   double mad = 0.0;   ///< mean |h - height| over the pixels the house covers, point samples, metres

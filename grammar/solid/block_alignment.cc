@@ -25,6 +25,17 @@ void tidy_hips(Block<double>* block) {
   if ((1.0 - start - end) * length < kLeastRun) start = end = 0.5;
 }
 
+// A break too near the eaves to build moves in, one that would make the lower side the less steep
+// one moves up.
+void tidy_break(Block<double>* block) {
+  using namespace block_value;
+  const double width =
+      block->ridge == Axis::kX ? (*block)[kY1] - (*block)[kY0] : (*block)[kX1] - (*block)[kX0];
+  double& run = (*block)[kBreakRun];
+  run = std::clamp(run, std::min(0.5, 2.0 * kLeastRun / width), 0.5);
+  (*block)[kBreakHeight] = std::clamp((*block)[kBreakHeight], run, 1.0);
+}
+
 }  // namespace
 
 int BlockAlignment::level_at(double value, double tolerance, std::vector<Level>* levels) {
@@ -77,6 +88,15 @@ BlockAlignment::BlockAlignment(const std::vector<Block<double>>& blocks, double 
       const int* u = aligned.edges + (along_x ? kX0 : kY0);
       const int* v = aligned.edges + (along_x ? kY0 : kX0);
       add_derived(v[0], v[1], 0.5, &across);
+      if (block.mansard) {
+        tidy_break(&aligned.shape);
+        const double share = 0.5 * aligned.shape[kBreakRun];
+        add_derived(v[0], v[1], share, &across);
+        add_derived(v[0], v[1], 1.0 - share, &across);
+        add_derived(aligned.eaves, aligned.ridge, aligned.shape[kBreakHeight], &heights_);
+        aligned_.push_back(aligned);
+        continue;
+      }
       tidy_hips(&aligned.shape);
       const double start = aligned.shape[kHipStart], end = aligned.shape[kHipEnd];
       if (start > 0.0) add_derived(u[0], u[1], start, &along);

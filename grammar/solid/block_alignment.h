@@ -21,7 +21,8 @@ struct Shake {
 /// Blocks whose nearly coincident edges and heights are made equal, so that no wall, step or gap
 /// is finer than can be built: coordinates within 2 cm of an edge or ridge of an earlier block take
 /// its value, heights within 1 cm likewise. Hips shorter than 5 cm become gables, ridges shorter
-/// than 5 cm vanish, roofs that rise less than 1 cm become flat.
+/// than 5 cm vanish, roofs that rise less than 1 cm become flat, a mansard's sides break 5 cm or
+/// more from the eaves.
 class BlockAlignment {
  public:
   /// `base`: height of the ground face, which counts as a height to align with.
@@ -34,14 +35,15 @@ class BlockAlignment {
   std::vector<Block<double>> blocks(const Shake& shake = {}) const;
 
  private:
-  // A coordinate shared by edges; ridges stand at a share of the way between two earlier levels.
+  // A coordinate shared by edges; ridges and breaks stand at a share of the way between two earlier
+  // levels.
   struct Level {
     double value;
     int low = -1, high = -1;
     double share = 0.0;
   };
   struct AlignedBlock {
-    Block<double> shape;  // axis, flatness and hips; the rest comes from the levels
+    Block<double> shape;  // axis, kind, hips or break; the rest comes from the levels
     int edges[4];         // x0, x1, y0, y1
     int eaves, ridge;
   };

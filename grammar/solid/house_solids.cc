@@ -54,6 +54,7 @@ void flatten(Block<double>* block) {
   (*block)[kEaves] += (*block)[kRise] * (2.0 / 3.0);
   (*block)[kRise] = (*block)[kHipStart] = (*block)[kHipEnd] = 0.0;
   block->flat = true;
+  block->mansard = false;
 }
 
 // What to move in an attempt: nothing at first, then by turns coincident edges together and every

@@ -1,5 +1,7 @@
+#include <gable/grammar/height_field.h>
 #include <gable/grammar/solid/roof_facets.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -72,6 +74,16 @@ bool meeting_line(const RoofFacet& facet, const RoofFacet& other, const std::vec
          cut_to_polygon(region, segment);
 }
 
+// The plane of a facet: what its height is, linear in the point.
+Plane facet_plane(const Block<double>& block, Facet facet) {
+  using namespace block_value;
+  const double x = 0.5 * (block[kX0] + block[kX1]), y = 0.5 * (block[kY0] + block[kY1]);
+  const double z = facet_height<double, double>(block, facet, x, y);
+  const double a = facet_height<double, double>(block, facet, x + 1.0, y) - z;
+  const double b = facet_height<double, double>(block, facet, x, y + 1.0) - z;
+  return {a, b, z - a * x - b * y};
+}
+
 }  // namespace
 
 int FacetedBlock::plane_at(const Eigen::Vector2d& p, const std::vector<Plane>& planes) const {
@@ -93,31 +105,18 @@ FacetedBlock facet_block(const Block<double>& block, PlaneSet* planes, double ma
   faceted.low = {block[kX0] - margin, block[kY0] - margin};
   faceted.high = {block[kX1] + margin, block[kY1] + margin};
   std::vector<Plane> roof;
-  if (block.flat) {
-    roof.push_back({0.0, 0.0, block[kEaves]});
-  } else {
-    const bool along_x = block.ridge == Axis::kX;
-    const double u0 = along_x ? block[kX0] : block[kY0];
-    const double u1 = along_x ? block[kX1] : block[kY1];
-    const double v0 = along_x ? block[kY0] : block[kX0];
-    const double v1 = along_x ? block[kY1] : block[kX1];
-    // A plane that leaves the eaves at coordinate `at` of axis u or v with a signed slope.
-    const auto rising = [&](bool over_u, double at, double slope) {
-      const bool over_x = over_u == along_x;
-      return Plane{over_x ? slope : 0.0, over_x ? 0.0 : slope, block[kEaves] - slope * at};
-    };
-    const double across = block[kRise] / (0.5 * (v1 - v0));
-    roof.push_back(rising(false, v0, across));
-    roof.push_back(rising(false, v1, -across));
-    if (block[kHipStart] > 0.0) {
-      roof.push_back(rising(true, u0, block[kRise] / (block[kHipStart] * (u1 - u0))));
-    }
-    if (block[kHipEnd] > 0.0) {
-      roof.push_back(rising(true, u1, -block[kRise] / (block[kHipEnd] * (u1 - u0))));
-    }
+  std::vector<int> numbers;
+  for (int f = 0; f < kNumFacets; ++f) {
+    if (!has_facet(block, static_cast<Facet>(f))) continue;
+    const Plane plane = facet_plane(block, static_cast<Facet>(f));
+    const int number = planes->number_of(plane);
+    // Where a side is not broken, both its parts lie in one plane.
+    if (std::find(numbers.begin(), numbers.end(), number) != numbers.end()) continue;
+    roof.push_back(plane);
+    numbers.push_back(number);
   }
   for (size_t i = 0; i < roof.size(); ++i) {
-    RoofFacet facet{planes->number_of(roof[i]), rectangle(faceted.low, faceted.high)};
+    RoofFacet facet{numbers[i], rectangle(faceted.low, faceted.high)};
     for (size_t j = 0; j < roof.size() && facet.outline.size() >= 3; ++j) {
       if (j == i) continue;
       facet.outline = clip(facet.outline,

@@ -18,8 +18,8 @@ struct SceneOptions {
   int trees = 1;            ///< beside the house, crowns overlapping its walls by up to 1 m, >= 0
   double slope = 0.03;      ///< largest slope of the terrain, a plane, >= 0
   double off_center = 0.5;  ///< the house is off the crop's centre by up to this, metres, >= 0
-  LidarOptions lidar;       ///< noise and outliers
-  PriorOptions prior;       ///< what details the house has
+  LidarOptions lidar{};     ///< noise and outliers
+  PriorOptions prior{};     ///< what details the house has
 
   /// Empty, or one line that names the bound that does not hold.
   std::string check() const;

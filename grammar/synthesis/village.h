@@ -24,8 +24,8 @@ struct VillageOptions {
   double margin = 24.0;          ///< terrain around the outermost houses, metres, >= 0
   /// Outer corner of the first cell, world; in the middle of EPSG:27700 by default.
   Eigen::Vector2d north_west = {400000.0, 200000.0};
-  LidarOptions lidar;
-  PriorOptions prior;  ///< foundation_weights become shares of the houses, not chances
+  LidarOptions lidar{};
+  PriorOptions prior{};  ///< foundation_weights become shares of the houses, not chances
 
   /// Empty, or one line that names the bound that does not hold.
   std::string check() const;

@@ -47,20 +47,7 @@ inline HeightImage image_of(const House& house, const ViewOptions& options = {})
 // The whole crop of a scene in the true house's local frame; inside: more than 2 m over the
 // terrain.
 inline HeightImage image_of(const Scene& scene) {
-  const Grid& grid = scene.dsm.grid;
-  HeightImage image;
-  image.origin = scene.house.origin;
-  image.gsd = grid.gsd;
-  image.rows = grid.rows;
-  image.cols = grid.cols;
-  image.first_center = grid.center_of(0, 0) - image.origin.head<2>();
-  image.weight.assign(grid.size(), 1.0f);
-  for (size_t i = 0; i < grid.size(); ++i) {
-    image.height.push_back(static_cast<float>(scene.dsm.values[i] - image.origin.z()));
-    image.ground.push_back(static_cast<float>(scene.dtm.values[i] - image.origin.z()));
-    image.inside.push_back(scene.dsm.values[i] - scene.dtm.values[i] > 2.0f);
-  }
-  return image;
+  return height_image(scene.dsm, scene.dtm, scene.house.origin);
 }
 
 }  // namespace gable

@@ -1,7 +1,11 @@
 #include <gable/grammar/height_field.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "grammar/sample_houses.h"
 
 namespace gable {
 namespace {
@@ -30,6 +34,42 @@ TEST(HeightField, HipRunsFromTheWallToTheRidge) {
   EXPECT_DOUBLE_EQ(field.at_local({-3.0, 0.0}, 0.0, 0.0), 5.0);
   EXPECT_DOUBLE_EQ(field.at_local({4.0, 0.0}, 0.0, 0.0), 3.5);
   EXPECT_DOUBLE_EQ(field.at_local({1.0, 0.0}, 0.0, 0.0), 5.0);
+}
+
+TEST(HeightField, MansardRunsSteeplyToTheBreakAndFlatlyToTheRidge) {
+  House house = gabled_house();
+  house.roofs[0] = make_rule(RuleKind::kRoofMansard);
+  house.roofs[0].values = {3.0, 4.0, 0.75, 0.25};
+  const HeightField field(house);
+  EXPECT_DOUBLE_EQ(field.at_local({4.9, -4.0}, 0.0, 0.0), 3.0);
+  EXPECT_DOUBLE_EQ(field.at_local({4.9, -3.5}, 0.0, 0.0), 4.5);
+  EXPECT_DOUBLE_EQ(field.at_local({-4.9, 3.0}, 0.0, 0.0), 6.0);
+  EXPECT_DOUBLE_EQ(field.at_local({0.0, 1.5}, 0.0, 0.0), 6.5);
+  EXPECT_DOUBLE_EQ(field.at_local({0.0, 0.0}, 0.0, 0.0), 7.0);
+}
+
+TEST(HeightField, ARoofIsTheMinimumOfItsFacets) {
+  Random random(11);
+  for (int trial = 0; trial < 4000; ++trial) {
+    Rule roof = make_rule(static_cast<RuleKind>(static_cast<int>(RuleKind::kRoofFlat) + trial % 4));
+    ASSERT_TRUE(is_roof(roof.kind));
+    const auto specs = parameter_specs(roof.kind);
+    for (int k = 0; k < roof.size(); ++k) {
+      roof[k] = random.uniform(specs[k].lower, std::min(specs[k].upper, 20.0));
+    }
+    roof.ridge = random.chance(0.5) ? Axis::kX : Axis::kY;
+    const House house = box_house(10.0, random.uniform(3.0, 18.0), roof);
+    const Block<double> block = expand_blocks(house)[0];
+    const double x = random.uniform(block[block_value::kX0], block[block_value::kX1]);
+    const double y = random.uniform(block[block_value::kY0], block[block_value::kY1]);
+    double least = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < kNumFacets; ++f) {
+      const Facet facet = static_cast<Facet>(f);
+      if (!has_facet(block, facet)) continue;
+      least = std::min(least, facet_height<double, double>(block, facet, x, y));
+    }
+    EXPECT_NEAR((roof_height<double, double>(block, x, y)), least, 1e-9);
+  }
 }
 
 TEST(HeightField, SupportCoveringHalfARoofEdgeAveragesItWithTheGround) {

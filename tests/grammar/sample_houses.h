@@ -36,6 +36,14 @@ inline Rule hip_roof(double eaves, double rise, double start, double end, Axis r
   return rule;
 }
 
+inline Rule mansard_roof(double eaves, double rise, double break_height, double break_run,
+                         Axis ridge) {
+  Rule rule = make_rule(RuleKind::kRoofMansard);
+  rule.values = {eaves, rise, break_height, break_run};
+  rule.ridge = ridge;
+  return rule;
+}
+
 // One rectangle around the origin.
 inline House box_house(double length, double width, const Rule& roof, double azimuth = 0.0) {
   House house = make_house(Foundation::kI);

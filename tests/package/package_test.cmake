@@ -15,12 +15,22 @@ endfunction()
 run(${CMAKE_COMMAND} --install ${GABLE_BINARY_DIR} --prefix ${WORK_DIR}/prefix)
 run(${CMAKE_COMMAND} -S ${SOURCE_DIR} -B ${WORK_DIR}/build -G ${GENERATOR}
     -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix -D CMAKE_BUILD_TYPE=${BUILD_TYPE}
-    -D CMAKE_CXX_FLAGS=${CXX_FLAGS})
+    -D CMAKE_CXX_FLAGS=${CXX_FLAGS} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
+    -D EXAMPLES=${EXAMPLES})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/consumer)
-if(NOT output STREQUAL "grammar 5.000\n")
-  message(FATAL_ERROR "the installed library printed: ${output}")
-endif()
+
+function(expect program text)
+  run(${WORK_DIR}/build/${program})
+  if(NOT output MATCHES "${text}")
+    message(FATAL_ERROR "${program} of the outside project printed: ${output}")
+  endif()
+endfunction()
+expect(01_height_field "^7[.]24 m\n")
+expect(check_gradient "^exact\n")
+expect(02_refine_a_house "^converged ")
+expect(04_own_residual "^ridge at 7[.]50 m\n")
+expect(05_refit_planes "^[1-9]+ regularities")
+
 run(${WORK_DIR}/prefix/bin/gable --version)
 if(NOT output MATCHES "^gable [0-9]+\\.[0-9]+\\.[0-9]+\n$")
   message(FATAL_ERROR "the installed program printed: ${output}")

@@ -33,6 +33,10 @@ inline int facet(const Block<double>& b, double x, double y) {
   const double u0 = along_x ? b[kX0] : b[kY0], u1 = along_x ? b[kX1] : b[kY1];
   const double v0 = along_x ? b[kY0] : b[kX0], v1 = along_x ? b[kY1] : b[kX1];
   const double u = along_x ? x : y, v = along_x ? y : x;
+  if (b.mansard) {
+    const double share = std::min(2.0 * (v - v0) / (v1 - v0), 2.0 * (v1 - v) / (v1 - v0));
+    return 4 + (share > b[kBreakRun] ? 2 : 0) + (v - v0 < v1 - v ? 1 : 0);
+  }
   const double shares[4] = {2.0 * (v - v0) / (v1 - v0), 2.0 * (v1 - v) / (v1 - v0),
                             b[kHipStart] > 0.0 ? (u - u0) / (b[kHipStart] * (u1 - u0)) : 1e300,
                             b[kHipEnd] > 0.0 ? (u1 - u) / (b[kHipEnd] * (u1 - u0)) : 1e300};

@@ -17,6 +17,7 @@ Block<Jet> independent(const Block<double>& block, int slot) {
   Block<Jet> out;
   out.ridge = block.ridge;
   out.flat = block.flat;
+  out.mansard = block.mansard;
   for (int k = 0; k < kNumBlockValues; ++k) {
     out.values[k] = Jet(block[k], slot * kNumBlockValues + k);
   }

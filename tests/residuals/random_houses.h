@@ -35,12 +35,13 @@ inline House rich_house(Foundation foundation, Random* random) {
   for (Rule& roof : house.roofs) {
     const Axis ridge = random->chance(0.5) ? Axis::kX : Axis::kY;
     roof = make_rule(
-        static_cast<RuleKind>(static_cast<int>(RuleKind::kRoofFlat) + random->integer(0, 2)));
+        static_cast<RuleKind>(static_cast<int>(RuleKind::kRoofFlat) + random->integer(0, 3)));
     roof.ridge = ridge;
     roof[0] = random->uniform(3.0, 5.0);
     roof[1] = random->uniform(1.0, 4.0);
     roof[2] = random->uniform(0.05, 0.45);
     roof[3] = random->uniform(0.05, 0.45);
+    if (roof.kind == RuleKind::kRoofMansard) roof[2] += 0.5;
   }
   for (int k = 0; k < 2; ++k) {
     Rule dormer = make_rule(RuleKind::kDormer);

@@ -101,9 +101,7 @@ std::string roof_list(const House& house) {
   std::string list;
   for (const Rule& roof : house.roofs) {
     if (!list.empty()) list += ", ";
-    list += roof.kind == RuleKind::kRoofFlat    ? "flat"
-            : roof.kind == RuleKind::kRoofGable ? "gable"
-                                                : "hip";
+    list += roof_name(roof.kind);
   }
   return list;
 }

@@ -37,7 +37,7 @@ class PanelFrame {
   Eigen::Vector2d north_west_;
 };
 
-// Ridge and hip lines of a block in the house frame.
+// Ridge, hip and break lines of a block in the house frame.
 std::vector<Segment> roof_lines(const Block<double>& block) {
   using namespace block_value;
   if (block.flat) return {};
@@ -48,6 +48,12 @@ std::vector<Segment> roof_lines(const Block<double>& block) {
     return along_x ? Eigen::Vector2d(u, v) : Eigen::Vector2d(v, u);
   };
   const double middle = 0.5 * (v0 + v1);
+  if (block.mansard) {
+    const double run = 0.5 * block[kBreakRun] * (v1 - v0);
+    return {{point(u0, middle), point(u1, middle)},
+            {point(u0, v0 + run), point(u1, v0 + run)},
+            {point(u0, v1 - run), point(u1, v1 - run)}};
+  }
   const Eigen::Vector2d start = point(u0 + block[kHipStart] * (u1 - u0), middle);
   const Eigen::Vector2d end = point(u1 - block[kHipEnd] * (u1 - u0), middle);
   std::vector<Segment> lines = {{start, end}};

@@ -138,7 +138,7 @@ TEST(CityJson, HoldsPartsLevelsSemanticsAndTheReferenceSystem) {
   EXPECT_EQ(house["children"], json({"house \"1\"-main-1", "house \"1\"-chimney-1"}));
   const json& attributes = house["attributes"];
   EXPECT_EQ(attributes["gable_foundation"], "L");
-  EXPECT_EQ(attributes["gable_roofs"], json({"gable", "hip"}));
+  EXPECT_EQ(attributes["gable_roofs"], json({"mansard", "hip"}));
   EXPECT_NEAR(attributes["gable_azimuth_deg"], 90.0 - 2.0 / 7.0 * 180.0 / M_PI, 1e-12);
   EXPECT_DOUBLE_EQ(attributes["gable_eaves_m"], 2.9 + 0.4);
   EXPECT_DOUBLE_EQ(attributes["gable_ridge_m"], 2.9 + 2.1 + 0.4);

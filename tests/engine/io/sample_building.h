@@ -15,7 +15,8 @@ inline Building sample_house(const std::string& id) {
   house.origin = {84893.1234567891, 447512.7654321, 1.0 / 3.0};
   house.azimuth[0] = 2.0 / 7.0;
   house.footprints[0].values = {-5.1, -4.2, 12.0 / 7.0 + 8.0, 6.1, 11.3, 5.7};
-  house.roofs[0].values = {2.9, 2.1};
+  house.roofs[0] = make_rule(RuleKind::kRoofMansard);
+  house.roofs[0].values = {2.9, 2.1, 2.0 / 3.0, 0.3};
   house.roofs[1] = make_rule(RuleKind::kRoofHip);
   house.roofs[1].ridge = Axis::kY;
   house.roofs[1].values = {3.1, 1.0 / 3.0, 0.1, 0.25};

@@ -108,6 +108,28 @@ TEST(HousePriors, APriorDecidesWhatNoPixelSees) {
   EXPECT_TRUE(std::isinf(summary.deviations[house.chimney_block(0)][param::chimney::kSide]));
 }
 
+TEST(HousePriors, AResidualOfOnesOwnCountsLikeOneOfTheLibrary) {
+  const House truth = two_blocks();
+  const HeightImage image = image_of(truth);
+  RefinementOptions with_prior, with_own;
+  with_prior.priors = {{truth.roof_block(0), param::roof::kEaves, 6.0, 0.01}};
+  with_own.add_residuals = [&](const House& house, std::span<double* const> blocks,
+                               ceres::Problem* problem) {
+    ASSERT_EQ(blocks.size(), house.derivation().size());
+    HouseRelation own = parameter_priors(house, with_prior.priors, with_own.height_deviation);
+    problem->AddResidualBlock(own.cost.release(), nullptr, blocks[own.rules[0]]);
+  };
+  House a = start_of(truth), b = start_of(truth);
+  const RefinementSummary prior = refine_house(image, with_prior, &a);
+  const RefinementSummary own = refine_house(image, with_own, &b);
+  EXPECT_EQ(prior.final_cost, own.final_cost);
+  EXPECT_EQ(prior.deviations, own.deviations);
+  for (size_t i = 0; i < a.derivation().size(); ++i) {
+    EXPECT_EQ(a.derivation()[i]->values, b.derivation()[i]->values);
+  }
+  EXPECT_NEAR(b.roofs[0][param::roof::kEaves], 6.0, 0.05);
+}
+
 TEST(HousePriors, CheckNamesTheViolatedBound) {
   RefinementOptions options;
   EXPECT_EQ(check(options), "");

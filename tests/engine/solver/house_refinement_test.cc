@@ -63,6 +63,21 @@ TEST(HouseRefinement, ReturnsToTheTruthOfNoiseFreeHeights) {
   }
 }
 
+TEST(HouseRefinement, FindsAMansardsBreakFromAGablesEavesAndRise) {
+  const House truth = box_house(13.0, 10.0, mansard_roof(3.0, 4.5, 0.72, 0.25, Axis::kY), 0.35);
+  const HeightImage image = image_of(truth, {.noise = 0.1, .outliers = 0.02});
+  House house = truth;
+  house.azimuth[0] += 0.03;
+  house.footprints[0].values = {0.5, -0.4, 12.0, 10.6};
+  house.roofs[0] = mansard_roof(4.0, 3.0, 0.65, 0.3, Axis::kY);
+  refine_house(image, {}, &house);
+  EXPECT_NEAR(house.azimuth[0], truth.azimuth[0], 0.005);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_NEAR(house.footprints[0][k], truth.footprints[0][k], 0.1) << k;
+    EXPECT_NEAR(house.roofs[0][k], truth.roofs[0][k], k < 2 ? 0.1 : 0.015) << k;
+  }
+}
+
 TEST(HouseRefinement, KeepsEveryParameterWithinItsBounds) {
   // A chimney wider than chimneys are, a dormer higher than they are and a hip beyond the middle.
   House truth = box_house(12.0, 8.0, hip_roof(5.0, 2.5, 0.5, 0.4, Axis::kX), 0.3);

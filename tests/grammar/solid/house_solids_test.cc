@@ -127,6 +127,19 @@ TEST(HouseSolids, HipHouseHasFourRoofFaces) {
   EXPECT_NEAR(volume(solid), 80.0 * 4.25 - (2.0 + 4.0) * 8.0 * 2.0 / 6.0, 1e-6);
 }
 
+TEST(HouseSolids, MansardHouseHasFourRoofFacesAndBrokenGables) {
+  const Solid solid = only_solid(one_block(RuleKind::kRoofMansard, {3.0, 4.0, 0.75, 0.25}));
+  expect_counts(solid, 4, 4, 1, 14);
+  // The mean height of a side: 1.5 over a quarter of it, 3.5 over the rest.
+  EXPECT_NEAR(volume(solid), 80.0 * (3.25 + 0.25 * 1.5 + 0.75 * 3.5), 1e-6);
+}
+
+TEST(HouseSolids, AMansardWhoseSidesAreNotBrokenIsAGable) {
+  const Solid solid = only_solid(one_block(RuleKind::kRoofMansard, {3.0, 2.0, 0.5, 0.5}));
+  expect_counts(solid, 2, 4, 1, 10);
+  EXPECT_NEAR(volume(solid), 80.0 * (3.25 + 1.0), 1e-6);
+}
+
 TEST(HouseSolids, HipsOfHalfTheLengthMakeAPyramid) {
   const Solid solid = only_solid(one_block(RuleKind::kRoofHip, {3.0, 2.0, 0.5, 0.5}));
   expect_counts(solid, 4, 4, 1, 9);
@@ -344,7 +357,7 @@ double integral(const HeightField& field) {
   }
   std::sort(x.begin(), x.end());
   std::sort(y.begin(), y.end());
-  constexpr int n = 12;
+  constexpr int n = 20;
   double sum = 0.0;
   for (size_t i = 0; i + 1 < x.size(); ++i) {
     for (size_t j = 0; j + 1 < y.size(); ++j) {

@@ -121,8 +121,19 @@ class NastyHouses {
     const int kind = random_.integer(0, 9);
     Rule rule = make_rule(kind < 2   ? RuleKind::kRoofFlat
                           : kind < 6 ? RuleKind::kRoofGable
+                          : kind < 8 ? RuleKind::kRoofMansard
                                      : RuleKind::kRoofHip);
     rule.ridge = random_.chance(0.2) ? (ridge == Axis::kX ? Axis::kY : Axis::kX) : ridge;
+    if (rule.kind == RuleKind::kRoofMansard) {
+      namespace m = param::mansard;
+      const int pick = random_.integer(0, 3);
+      // Both shares one half: no break at all.
+      rule[m::kBreakHeight] = pick == 0   ? 0.5
+                              : pick == 1 ? 0.5 + std::pow(10.0, random_.uniform(-9, -1))
+                              : pick == 2 ? 0.95
+                                          : random_.uniform(0.5, 0.95);
+      rule[m::kBreakRun] = pick < 2 ? 0.5 : random_.uniform(0.05, 0.5);
+    }
     if (rule.kind == RuleKind::kRoofHip) {
       for (const int hip : {param::roof::kHipStart, param::roof::kHipEnd}) {
         const int pick = random_.integer(0, 3);
