@@ -2,6 +2,7 @@
 #include <gable/grammar/outline_margins.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace gable {
 
@@ -12,13 +13,12 @@ bool reaches(const Block<double>& block, double margin, const Eigen::Vector2d& p
 }
 
 double continued_roof_height(const Block<double>& block, const Eigen::Vector2d& point) {
-  using namespace block_value;
-  const auto at = [&](Facet facet) { return facet_height(block, facet, point.x(), point.y()); };
-  if (block.flat) return at(Facet::kFlat);
-  double height = std::min(at(Facet::kLow), at(Facet::kHigh));
-  // A gable wall has no plane to continue.
-  if (block[kHipStart] > 0.0) height = std::min(height, at(Facet::kStart));
-  if (block[kHipEnd] > 0.0) height = std::min(height, at(Facet::kEnd));
+  double height = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < kNumFacets; ++f) {
+    const Facet facet = static_cast<Facet>(f);
+    if (!has_facet(block, facet)) continue;
+    height = std::min(height, facet_height(block, facet, point.x(), point.y()));
+  }
   return height;
 }
 

@@ -5,8 +5,8 @@
 #include <gable/engine/reconstruct/detected_values.h>
 #include <gable/engine/reconstruct/house_choice.h>
 #include <gable/engine/reconstruct/house_scales.h>
-#include <gable/engine/reconstruct/scale_values.h>
 #include <gable/engine/reconstruct/roof_closing.h>
+#include <gable/engine/reconstruct/scale_values.h>
 #include <gable/engine/solver/house_refinement.h>
 #include <gable/residuals/height_image.h>
 

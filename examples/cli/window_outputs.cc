@@ -43,12 +43,11 @@ WindowManifest with_windows(WindowManifest manifest, const std::vector<TileWindo
 }
 
 const std::string& checked_folder(const OutputOptions& options) {
-  for (const auto& [option, value] :
-       {std::pair{"--obj", &options.obj},
-        {"--glb", &options.glb},
-        {"--kml", &options.kml},
-        {"--gpkg", &options.gpkg},
-        {"--report", &options.report}}) {
+  for (const auto& [option, value] : {std::pair{"--obj", &options.obj},
+                                      {"--glb", &options.glb},
+                                      {"--kml", &options.kml},
+                                      {"--gpkg", &options.gpkg},
+                                      {"--report", &options.report}}) {
     if (value->empty()) continue;
     throw Error(ExitCode::kUsage,
                 std::string(option) + " " + *value +

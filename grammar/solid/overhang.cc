@@ -20,7 +20,7 @@ Block<double> with_overhang(const Block<double>& block, double overhang) {
   const double length = block[u1] - block[u0];
   const auto reach_of = [&](double hip) {
     const double reach = overhang * hip * length / half_width;
-    const bool gable = block.flat || hip <= 0.0;
+    const bool gable = block.flat || block.mansard || hip <= 0.0;
     return gable || std::abs(reach - overhang) < kSameReach ? overhang : reach;
   };
   const double start = reach_of(block[kHipStart]), end = reach_of(block[kHipEnd]);
@@ -29,9 +29,18 @@ Block<double> with_overhang(const Block<double>& block, double overhang) {
   grown[v0] -= overhang;
   grown[v1] += overhang;
   if (block.flat) return grown;
-  const double drop = overhang * block[kRise] / half_width;
+  // A mansard's lower sides go on.
+  const double slope = block.mansard
+                           ? block[kRise] * block[kBreakHeight] / (half_width * block[kBreakRun])
+                           : block[kRise] / half_width;
+  const double drop = overhang * slope;
   grown[kEaves] -= drop;
   grown[kRise] += drop;
+  if (block.mansard) {
+    grown[kBreakHeight] = (block[kRise] * block[kBreakHeight] + drop) / grown[kRise];
+    grown[kBreakRun] = (half_width * block[kBreakRun] + overhang) / (half_width + overhang);
+    return grown;
+  }
   const auto grow_hip = [&](int hip, double reach) {
     if (block[hip] > 0.0) grown[hip] = (block[hip] * length + reach) / (length + start + end);
   };
