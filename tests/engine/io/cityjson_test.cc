@@ -48,6 +48,9 @@ void expect_same(const Building& a, const Building& b) {
   }
   EXPECT_EQ(a.house->foundation, b.house->foundation);
   EXPECT_EQ(a.house->origin, b.house->origin);
+  EXPECT_EQ(a.walls.polygon.outer, b.walls.polygon.outer);
+  EXPECT_EQ(a.walls.polygon.holes, b.walls.polygon.holes);
+  EXPECT_EQ(a.walls.reach, b.walls.reach);
   const auto first = a.house->derivation(), second = b.house->derivation();
   ASSERT_EQ(first.size(), second.size());
   for (size_t i = 0; i < first.size(); ++i) {
@@ -67,6 +70,21 @@ TEST_P(CityJsonRoundTrip, ReadingGivesTheSameBuildingsToTheLastBit) {
   ASSERT_EQ(file.buildings.size(), 2u);
   expect_same(file.buildings[0], sample_house("house \"1\""));
   expect_same(file.buildings[1], sample_extrusion("2"));
+}
+
+TEST_P(CityJsonRoundTrip, KnownWallsAreReadToTheLastBit) {
+  const ScratchFolder scratch;
+  Building house = sample_house("4");
+  house.walls.polygon = {{{-6.1, -4.0}, {6.0, -4.0 / 3.0}, {5.0, 4.2}},
+                         {{{0.0, 0.0}, {0.1, 1.0}, {1.0, 0.5}}}};
+  house.walls.reach = 1.5;
+  const std::string path = scratch.path(GetParam());
+  const auto writer = open_model_writer(path, options());
+  writer->append(house, sample_model(house.house->origin));
+  writer->close();
+  const BuildingFile file = read_buildings(path);
+  ASSERT_EQ(file.buildings.size(), 1u);
+  expect_same(file.buildings[0], house);
 }
 
 TEST_P(CityJsonRoundTrip, ClosedPlanesAreReadToTheLastBit) {
