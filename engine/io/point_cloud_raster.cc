@@ -22,7 +22,7 @@ namespace {
 constexpr float kNoHeight = std::numeric_limits<float>::quiet_NaN();
 /// Cells that are gathered in one pass over a file.
 constexpr int64_t kMostCells = int64_t{1} << 23;
-constexpr int kStripRows = 512;
+constexpr int kMostStripRows = 512;
 constexpr double kMostCellsAcross = 1e9;
 constexpr double kMaxHeight = 10000.0;  // no terrain lies beyond, as in raster files
 constexpr double kUnitTolerance = 1e-6;
@@ -161,9 +161,11 @@ size_t add_points(const Survey& survey, bool with_buildings, PointCloudRaster* r
 /// Strip by strip; the rows above a strip are those from before they were filled.
 void fill_gaps(int reach, ScratchHeights* heights) {
   const Grid& grid = heights->grid();
+  const int strip_rows =
+      static_cast<int>(std::clamp<int64_t>(kMostCells / grid.cols, reach, kMostStripRows));
   HeightRaster above({grid.north_west, grid.gsd, 0, grid.cols}, kNoHeight);
-  for (int row = 0; row < grid.rows; row += kStripRows) {
-    const int rows = std::min(kStripRows, grid.rows - row);
+  for (int row = 0; row < grid.rows; row += strip_rows) {
+    const int rows = std::min(strip_rows, grid.rows - row);
     const int below = std::min(reach, grid.rows - row - rows);
     const HeightRaster strip = heights->read(row, 0, rows + below, grid.cols);
     HeightRaster padded({grid.north_west, grid.gsd, above.grid.rows + rows + below, grid.cols},

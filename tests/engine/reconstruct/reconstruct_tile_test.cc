@@ -1,3 +1,4 @@
+#include <gable/engine/io/raster_file.h>
 #include <gable/engine/io/raster_writer.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
 #include <gable/grammar/synthesis/terrace.h>
