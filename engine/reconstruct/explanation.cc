@@ -162,8 +162,8 @@ std::string origins_table(const HouseChoice& choice, const Candidate& winner) {
   std::vector<std::vector<std::string>> rows;
   const auto rules = first.house.derivation();
   for (size_t i = 0; i < rules.size(); ++i) {
-    rows.push_back({std::string(rule_name(rules[i]->kind)), values_text(*rules[i]),
-                    i < first.origins.size() ? first.origins[i] : ""});
+    rows.push_back({std::string(rule_name(rules[i]->kind)),
+                    i < first.origins.size() ? first.origins[i] : "", values_text(*rules[i])});
   }
   return text + "\n" + table_of(rows, 3);
 }

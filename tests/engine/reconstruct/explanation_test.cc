@@ -107,9 +107,10 @@ TEST(Explanation, EveryRuleOfTheWinnersFirstValuesHasItsOrigin) {
   EXPECT_THAT(text, HasSubstr("first values of no. 1: hypothesis 8, L from detectors, since "
                               "rewritten\n"));
   EXPECT_THAT(line_of(text, "    azimuth"),
-              MatchesRegex(" +azimuth +azimuth 0\\.00 rad +by the stars"));
-  EXPECT_THAT(line_of(text, "    footprint_l"), MatchesRegex(".* m +paced out"));
-  EXPECT_THAT(line_of(text, "    roof_gable"), MatchesRegex(" +roof_gable +eaves .* m +guessed"));
+              MatchesRegex(" +azimuth +by the stars +azimuth 0\\.00 rad"));
+  EXPECT_THAT(line_of(text, "    footprint_l"),
+              MatchesRegex(" +footprint_l +paced out +corner_x .* m"));
+  EXPECT_THAT(line_of(text, "    roof_gable"), MatchesRegex(" +roof_gable +guessed +eaves .* m"));
 }
 
 TEST(Explanation, TheLeadIsOverTheNextOfAnotherFoundation) {
