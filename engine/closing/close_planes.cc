@@ -24,9 +24,14 @@ constexpr double kMove = 0.003;  // metres per attempt
 // Steeper than this, planes are walls: normals of which less than this points up.
 constexpr double kLeastUp = 0.17;
 
+// Heights that are one, metres, and what a boundary where two planes meet costs of one with a step.
+constexpr double kSameHeight = 1e-4;
+constexpr double kCreaseShare = 0.1;
+
 // Slopes above this leave the heights of a building within its plan.
 constexpr double kSteep = 0.3;
 constexpr double kInside = 0.01;  // metres
+constexpr double kNear = 4.0;     // metres, of what is seen of a plane
 
 // Slopes below this are level.
 constexpr double kLevel = 1e-3;
@@ -179,9 +184,21 @@ class Closing {
       }
       for (const double z : {base_ + options.clearance + kInside, ceiling_ - kInside}) {
         if (static_cast<int>(lines->size()) >= options.max_lines) return;
-        lines->push_back({slope.normalized(), (z - planes[i].c) / slope.norm()});
+        const PlanLine line{slope.normalized(), (z - planes[i].c) / slope.norm()};
+        if (comes_near(line, label)) lines->push_back(line);
       }
     }
+  }
+
+  /// Whether a grid cell of a label lies near a line.
+  bool comes_near(const PlanLine& line, int label) const {
+    for (int row = 0; row < grid_.rows; ++row) {
+      for (int col = 0; col < grid_.cols; ++col) {
+        if (grid_labels_[grid_.index(row, col)] != label) continue;
+        if (std::abs(line.signed_distance(grid_.center(row, col))) < kNear) return true;
+      }
+    }
+    return false;
   }
 
   static bool is_level(const OrientedPlane& plane) {
@@ -230,7 +247,10 @@ class Closing {
       const double length = (border.to - border.from).norm();
       const double at_from = planes[a].at(border.from) - planes[b].at(border.from);
       const double at_to = planes[a].at(border.to) - planes[b].at(border.to);
-      return options.boundary_cost * length + options.step_cost * step_area(at_from, at_to, length);
+      // Planes that meet along the border belong there: no shortcut beside it may be cheaper.
+      const bool crease = std::max(std::abs(at_from), std::abs(at_to)) < kSameHeight;
+      return (crease ? kCreaseShare : 1.0) * options.boundary_cost * length +
+             options.step_cost * step_area(at_from, at_to, length);
     };
     return problem;
   }

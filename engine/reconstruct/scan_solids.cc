@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace gable {
@@ -168,6 +169,9 @@ std::string check(const ScanSolidOptions& options) {
   if (!(options.least_piece >= 0.0 && options.least_piece <= 1.0)) {
     return "least_piece must lie in [0, 1]";
   }
+  if (options.most_planes < 1 || options.most_planes > 1000) {
+    return "most_planes must lie in [1, 1000]";
+  }
   if (options.most_samples < 100 || options.most_samples > 10000000) {
     return "most_samples must lie in [100, 1e7]";
   }
@@ -188,7 +192,13 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
       surface_samples(scan, scale.shape_of, model.origin, options.most_samples);
   std::vector<Plane> planes;
   std::vector<int> plane_of_shape(scale.shapes.size(), -1);
-  for (size_t s = 0; s < scale.shapes.size(); ++s) {
+  std::vector<size_t> order(scale.shapes.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return scale.shapes[a].inliers > scale.shapes[b].inliers;
+  });
+  for (const size_t s : order) {
+    if (static_cast<int>(planes.size()) == options.most_planes) break;
     const OrientedPlane& plane = scale.shapes[s].plane;
     const Eigen::Vector3d normal = plane.normal();
     if (std::abs(normal.z()) < options.least_up) continue;

@@ -13,7 +13,7 @@ namespace gable {
 
 /// How the shapes of a scan are closed into solids. The scan is taken for metres with z up.
 struct ScanSolidOptions {
-  ClosingOptions closing = {.max_lines = 120};
+  ClosingOptions closing = {.max_lines = 60, .max_grid = 2000};
   /// Shapes whose normals point up (or down) by less than this are walls, (0, 1].
   double least_up = 0.25;
   /// The outline's corners nearer than this to the line between their neighbours are left out,
@@ -21,6 +21,7 @@ struct ScanSolidOptions {
   double outline_tolerance = 0.3;
   /// Pieces of the plan smaller than this share of the largest get no solid, [0, 1].
   double least_piece = 0.02;
+  int most_planes = 48;      ///< those of most elements that are closed, [1, 1000]
   int most_samples = 60000;  ///< that a scan is thinned or a mesh is sampled to, [100, 1e7]
 };
 

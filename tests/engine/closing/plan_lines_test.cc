@@ -10,8 +10,9 @@ namespace gable {
 namespace {
 
 std::vector<PlanLine> lines_of(const PlanPolygon& outline, const std::vector<Plane>& planes,
-                               const std::vector<HeightSample>& samples) {
-  const ClosingOptions options;
+                               const std::vector<HeightSample>& samples, double snap = 0.3) {
+  ClosingOptions options;
+  options.snap_distance = snap;
   const SampleGrid grid = make_sample_grid(samples, options.max_grid);
   const std::vector<int> labels = label_grid(grid, samples, planes, options, {});
   return find_plan_lines(grid, labels, planes, outline, options);
@@ -66,9 +67,12 @@ TEST(PlanLines, StepNearTheEdgeOfAWingTakesItsPlace) {
   const auto lines =
       lines_of(outline, planes,
                sample_roof(
-                   outline, [&](const auto& p) { return p.x() > 8.3 ? 3.0 : 6.0; }, 0.5, 0.0, 1));
-  ASSERT_EQ(lines.size(), 1u);
+                   outline, [&](const auto& p) { return p.x() > 8.3 ? 3.0 : 6.0; }, 0.5, 0.0, 1),
+               0.6);
+  // The other edge of the re-entrant corner goes on as well.
+  ASSERT_EQ(lines.size(), 2u);
   EXPECT_NEAR(std::abs(lines[0].offset), 8.0, 1e-12);
+  EXPECT_NEAR(std::abs(lines[1].offset), 6.0, 1e-12);
 }
 
 }  // namespace
