@@ -8,6 +8,7 @@
 int main() {
   using namespace gable;
   House truth = make_house(Foundation::kI);
+  truth.azimuth[0] = 0.35;
   truth.roofs[0].values = {5.0, 2.5};
   Scene scene = make_scene(truth, {.seed = 2, .trees = 0});
   HeightImage image = height_image(scene.dsm, scene.dtm, scene.house.origin);

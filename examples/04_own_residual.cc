@@ -46,6 +46,6 @@ int main() {
                               blocks[h.roof_block(0)]);
   };
   refine_house(image, options, &house);
-  std::printf("ridge at %.2f m\n",
-              house.roofs[0][param::roof::kEaves] + house.roofs[0][param::roof::kRise]);
+  const double there = HeightField(house).at_local(surveyed.head<2>(), 0.0, 0.0);
+  std::printf("roof at %.2f m where %.2f m were surveyed\n", there, surveyed.z());
 }

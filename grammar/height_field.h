@@ -34,6 +34,55 @@ bool has_facet(const Block<T>& block, Facet facet) {
   }
 }
 
+namespace internal {
+
+// Mansards are rare: kept out of line, they cost the other roofs' innermost loops nothing.
+
+/// Half the width of a mansard, and how far a point is from the eaves of its lower and higher side.
+template <typename T>
+struct MansardRuns {
+  T half_width, from_low, from_high;
+};
+
+template <typename T, typename P>
+MansardRuns<T> mansard_runs(const Block<T>& block, const P& x, const P& y) {
+  using namespace block_value;
+  const bool along_x = block.ridge == Axis::kX;
+  const T& v0 = along_x ? block[kY0] : block[kX0];
+  const T& v1 = along_x ? block[kY1] : block[kX1];
+  const P& v = along_x ? y : x;
+  return {(v1 - v0) * T(0.5), v - v0, v1 - v};
+}
+
+template <typename T, typename P>
+[[gnu::noinline]] Facet mansard_facet(const Block<T>& block, const P& x, const P& y) {
+  const MansardRuns<T> runs = mansard_runs(block, x, y);
+  const bool high = runs.from_high < runs.from_low;
+  const T& from_eaves = high ? runs.from_high : runs.from_low;
+  if (from_eaves > block[block_value::kBreakRun] * runs.half_width) {
+    return high ? Facet::kUpperHigh : Facet::kUpperLow;
+  }
+  return high ? Facet::kHigh : Facet::kLow;
+}
+
+template <typename T, typename P>
+[[gnu::noinline]] T mansard_facet_height(const Block<T>& block, Facet facet, const P& x,
+                                         const P& y) {
+  using namespace block_value;
+  const MansardRuns<T> runs = mansard_runs(block, x, y);
+  const bool high = facet == Facet::kHigh || facet == Facet::kUpperHigh;
+  const T& from_eaves = high ? runs.from_high : runs.from_low;
+  const T break_run = block[kBreakRun] * runs.half_width;
+  const T& break_height = block[kBreakHeight];
+  if (facet == Facet::kLow || facet == Facet::kHigh) {
+    return block[kEaves] + block[kRise] * break_height * from_eaves / break_run;
+  }
+  const T above_break = (from_eaves - break_run) / (runs.half_width - break_run);
+  return block[kEaves] + block[kRise] * (break_height + (T(1.0) - break_height) * above_break);
+}
+
+}  // namespace internal
+
 /// The facet of a block's roof over a point (x, y) inside its rectangle, house frame: that of the
 /// least height. T: the block's scalar; P: the point's (double, or T where the point moves as
 /// well).
@@ -41,6 +90,8 @@ template <typename T, typename P>
 Facet roof_facet(const Block<T>& block, const P& x, const P& y) {
   using namespace block_value;
   if (block.flat) return Facet::kFlat;
+  if (block.mansard) [[unlikely]]
+    return internal::mansard_facet(block, x, y);
   const bool along_x = block.ridge == Axis::kX;
   const T& u0 = along_x ? block[kX0] : block[kY0];
   const T& u1 = along_x ? block[kX1] : block[kY1];
@@ -56,12 +107,6 @@ Facet roof_facet(const Block<T>& block, const P& x, const P& y) {
   const T from_high = v1 - v;
   const bool high = from_high < from_low;
   const T& to_eaves = high ? from_high : from_low;
-  if (block.mansard) {
-    if (to_eaves > block[kBreakRun] * half_width) {
-      return high ? Facet::kUpperHigh : Facet::kUpperLow;
-    }
-    return high ? Facet::kHigh : Facet::kLow;
-  }
   const T start_run = block[kHipStart] * (u1 - u0);
   const T end_run = block[kHipEnd] * (u1 - u0);
   // Compare run against run instead of dividing: a gable end has no hip run at all.
@@ -80,6 +125,8 @@ template <typename T, typename P>
 T facet_height(const Block<T>& block, Facet facet, const P& x, const P& y) {
   using namespace block_value;
   if (facet == Facet::kFlat) return block[kEaves];
+  if (block.mansard) [[unlikely]]
+    return internal::mansard_facet_height(block, facet, x, y);
   const bool along_x = block.ridge == Axis::kX;
   const T& u0 = along_x ? block[kX0] : block[kY0];
   const T& u1 = along_x ? block[kX1] : block[kY1];
@@ -94,16 +141,8 @@ T facet_height(const Block<T>& block, Facet facet, const P& x, const P& y) {
     return block[kEaves] + block[kRise] * (u1 - u) / (block[kHipEnd] * (u1 - u0));
   }
   const T half_width = (v1 - v0) * T(0.5);
-  const bool high = facet == Facet::kHigh || facet == Facet::kUpperHigh;
-  const T from_eaves = high ? T(v1 - v) : T(v - v0);
-  if (!block.mansard) return block[kEaves] + block[kRise] * from_eaves / half_width;
-  const T break_run = block[kBreakRun] * half_width;
-  if (facet == Facet::kLow || facet == Facet::kHigh) {
-    return block[kEaves] + block[kRise] * block[kBreakHeight] * from_eaves / break_run;
-  }
-  return block[kEaves] + block[kRise] * (block[kBreakHeight] + (T(1.0) - block[kBreakHeight]) *
-                                                                   (from_eaves - break_run) /
-                                                                   (half_width - break_run));
+  if (facet == Facet::kHigh) return block[kEaves] + block[kRise] * (v1 - v) / half_width;
+  return block[kEaves] + block[kRise] * (v - v0) / half_width;
 }
 
 /// Height of a block's roof at a point (x, y) inside its rectangle, house frame, metres: eaves +

@@ -28,7 +28,7 @@ endfunction()
 expect(01_height_field "^7[.]24 m\n")
 expect(check_gradient "^exact\n")
 expect(02_refine_a_house "^converged ")
-expect(04_own_residual "^ridge at 7[.]50 m\n")
+expect(04_own_residual "^roof at 7[.]50 m ")
 expect(05_refit_planes "^[1-9]+ regularities")
 
 run(${WORK_DIR}/prefix/bin/gable --version)
