@@ -12,7 +12,7 @@ namespace gable {
 /// fill a known outline: a point that no block covers belongs to those that cover it with the first
 /// of these margins that any reaches it with. So every block gives way to all others where they
 /// are. How many of them are used is the house's: an outline may hold yards where nothing stands.
-inline constexpr std::array<double, 4> kOutlineMargins = {0.0, 0.5, 1.5, 4.0};
+inline constexpr std::array<double, 3> kOutlineMargins = {0.0, 0.5, 1.5};
 
 /// Whether a block's rectangle, enlarged by `margin` metres on every side, holds a point of the
 /// house frame. Of blocks with a common edge one holds each point on it.

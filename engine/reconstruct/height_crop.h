@@ -25,7 +25,7 @@ struct HeightCropOptions {
   int max_cells = 40000;    ///< larger crops are thinned by a whole factor, [100, 1e8]
   double neighbour = 0.05;  ///< weight of a neighbour's cells where the outline is known, [0, 1]
   /// Weight of open cells where the outline is known, [0, 1]: the building ends at it in any case.
-  double outside = 1.0;
+  double outside = 0.2;
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.

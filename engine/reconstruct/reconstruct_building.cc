@@ -1,18 +1,16 @@
 #include <gable/engine/io/build_model.h>
 #include <gable/engine/reconstruct/building_fit.h>
+#include <gable/engine/reconstruct/known_walls.h>
 #include <gable/engine/reconstruct/mask_outline.h>
 #include <gable/engine/reconstruct/model_defect.h>
 #include <gable/engine/reconstruct/penalised_cost.h>
 #include <gable/engine/reconstruct/reconstruct_building.h>
-#include <gable/engine/scales/outline/ring_simplification.h>
-#include <gable/grammar/outline_margins.h>
 #include <glog/logging.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <utility>
 
 namespace gable {
@@ -26,10 +24,6 @@ constexpr double kNever = 1000.0;
 
 // Solids are never flatter than this, metres.
 constexpr double kLeastHeight = 0.5;
-
-// How far a known outline's corners may lie from its walls, metres: they are drawn from pictures of
-// 10 to 25 cm.
-constexpr double kWallTolerance = 0.25;
 
 class Stopwatch {
  public:
@@ -74,25 +68,6 @@ Building extrusion_of(const std::string& id, const HeightImage& image, PlanPolyg
   return building;
 }
 
-/// A known outline without corners that no wall has, filled as far as is nearest to the heights.
-KnownOutline walls_of(const PlanPolygon& outline, const HeightImage& image, Building house) {
-  std::vector<Ring> rings = outline.holes;
-  rings.insert(rings.begin(), outline.outer);
-  rings = simplified(rings, kWallTolerance);
-  if (rings.empty()) return {};
-  KnownOutline best;
-  double least = std::numeric_limits<double>::infinity();
-  house.walls.polygon = {rings.front(), {rings.begin() + 1, rings.end()}};
-  for (const double reach : kOutlineMargins) {
-    house.walls.reach = reach;
-    const double charge = fit_of_building(image, house).charge;
-    if (charge >= least) continue;
-    least = charge;
-    best = house.walls;
-  }
-  return best;
-}
-
 /// What the last stage of a refinement minimises.
 double robust_cost(const HeightImage& image, const RefinementOptions& options, const House& house) {
   const RefinementStage& stage = options.stages.back();
@@ -117,6 +92,9 @@ std::string check(const BuildingOptions& options) {
     return "outline_tolerance must lie in [0.01, 10] m";
   }
   if (const std::string error = check(options.closing); !error.empty()) return error;
+  if (!(options.planes_from >= 0.0 && options.planes_from <= kNever)) {
+    return "planes_from must lie in [0, 1000] m";
+  }
   if (!(options.planes_margin >= 0.0 && options.planes_margin <= kNever)) {
     return "planes_margin must lie in [0, 1000] m";
   }
@@ -191,7 +169,7 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   house.building.id = id;
   house.building.house = choice.best.house;
   house.building.deviations = choice.summary.deviations;
-  if (outline) house.building.walls = walls_of(*outline, image, house.building);
+  if (outline) house.building.walls = known_walls(*outline, image, house.building);
   const BuildingFit fit = fit_of_building(image, house.building);
   set_fit(fit, &house.building);
   if (fit.charge > flat.charge + options.extrusion_margin) {
@@ -207,7 +185,9 @@ ReconstructedBuilding reconstruct_building(const std::string& id, const HeightIm
   if (const std::string defect = defect_of(house.model); !defect.empty()) {
     return give_planes(defect);
   }
-  if (options.planes_margin < kNever) {
+  // Found in the heights, a building's cells are too uncertain at their rim to tell planes from
+  // smear, and closing takes longer than all the rest.
+  if (outline && options.planes_margin < kNever && fit.charge > options.planes_from) {
     Building planes = extrusion.building;
     if (close_roof(image, options.closing, &planes).empty()) {
       const BuildingFit closed = fit_of_building(image, planes);

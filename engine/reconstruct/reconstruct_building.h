@@ -26,9 +26,12 @@ struct BuildingOptions {
   /// A house is kept unless the extruded outline is nearer to the heights by more than this,
   /// metres, [0, 10].
   double extrusion_margin = 0.02;
-  /// A house gives way to the closed planes of its roof where these are nearer to the heights by
-  /// more than this, metres, [0, 1000], and by more than `planes_ratio`; 1000: never.
-  double planes_margin = 1000.0;
+  /// Where the outline is known, a house gives way to the closed planes of its roof if it is
+  /// farther than this from the heights, metres, [0, 1000],
+  double planes_from = 0.45;
+  /// and the planes are nearer by more than this, metres, [0, 1000], and by more than
+  /// `planes_ratio`; 1000: never.
+  double planes_margin = 0.25;
   /// Distance of the planes over that of the house that they must stay below, [0, 1].
   double planes_ratio = 0.6;
 };

@@ -2,6 +2,7 @@
 #include <gable/grammar/outlined_house.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace gable {

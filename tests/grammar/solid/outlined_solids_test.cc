@@ -74,7 +74,7 @@ TEST(OutlinedSolids, OfNastyHousesAreValidAndFillWhatIsSeenFromAbove) {
       const double radius = random.uniform(2.0, 11.0);
       ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
-    const KnownOutline walls{{ring, {}}, kOutlineMargins[random.integer(0, 3)]};
+    const KnownOutline walls{{ring, {}}, kOutlineMargins[random.integer(0, 2)]};
     const HouseSolids solids = build_house_solids(house, Lod::k22, -0.3, walls);
     for (const HousePart& part : solids.parts) {
       ASSERT_EQ(check_solid(part.solid).describe(), "valid") << i;
