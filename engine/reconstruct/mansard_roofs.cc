@@ -16,6 +16,9 @@ constexpr int kReweightings = 4;
 constexpr double kLeastLowerSlope = 1.0;
 constexpr double kLeastSlopeRatio = 2.0;
 
+// Lower parts narrower than this, cells, are walls seen in the cells of the rim.
+constexpr double kLeastLowerCells = 2.0;
+
 // Parameters that a mansard has more than a gable.
 constexpr int kMoreParameters = 2;
 
@@ -88,6 +91,7 @@ std::optional<Rule> bent_roof(const HeightImage& image, const PenaltyOptions& pe
   const double half_width = 0.5 * width;
   const double lower = profile->lower_rise / (profile->break_run * half_width);
   const double upper = profile->upper_rise / ((1.0 - profile->break_run) * half_width);
+  if (profile->break_run * half_width < kLeastLowerCells * image.gsd) return std::nullopt;
   if (lower < kLeastLowerSlope || lower < kLeastSlopeRatio * upper) return std::nullopt;
   Rule mansard = make_rule(RuleKind::kRoofMansard);
   mansard.ridge = roof.ridge;

@@ -58,8 +58,8 @@ ProgramRun run_gable(const std::vector<std::string>& arguments) {
 
 ProgramRun run_gable_for(double seconds, const std::string& signal,
                          const std::vector<std::string>& arguments) {
-  return run_command("timeout --preserve-status -s " + signal + " " + std::to_string(seconds) +
-                         " " + quoted(GABLE_PROGRAM),
+  return run_command("timeout --foreground --preserve-status -s " + signal + " " +
+                         std::to_string(seconds) + " " + quoted(GABLE_PROGRAM),
                      arguments);
 }
 

@@ -65,7 +65,7 @@ TEST(HeightCrop, OverAnOutlineTheBuildingEndsThere) {
             scene.dsm.grid.center_of(13, 13));
   EXPECT_EQ(image.height[at(20, 20)], 6.0f);
   EXPECT_EQ(image.height[at(20, 28)], 0.0f);  // beyond the outline, of no building
-  EXPECT_EQ(image.weight[at(20, 28)], 1.0f);
+  EXPECT_EQ(image.weight[at(20, 28)], static_cast<float>(HeightCropOptions().outside));
   EXPECT_EQ(image.height[at(20, 31)], 0.0f);  // of the other building
   EXPECT_EQ(image.weight[at(20, 31)], 0.05f);
 }

@@ -68,6 +68,7 @@ TEST(RoofClosing, WithoutHeightsThereIsAReasonAndTheBuildingStays) {
 TEST(ReconstructBuilding, OutsideTheGrammarThePlanesWinAndTheReasonSaysWhy) {
   const HeightImage image = image_over(kTrapezium, butterfly, 48);
   BuildingOptions options;
+  options.planes_from = 0.0;
   options.planes_margin = 0.05;
   const ReconstructedBuilding made = reconstruct_building("b", image, &kTrapezium, options);
   EXPECT_EQ(made.building.status, BuildingStatus::kPlanes);

@@ -128,7 +128,9 @@ TEST(NeighbourRefinement, ABiasedImageIsCorrectedByTheNeighbours) {
   refine_house(image, single, &row.houses[1]);
   const double truth_eaves = truth[1].roofs[0][param::roof::kEaves];
   const double alone = row.houses[1].roofs[0][param::roof::kEaves] - truth_eaves;
-  const auto relations = detect_neighbour_relations(row.views(), NeighbourRelationOptions{});
+  NeighbourRelationOptions wide;
+  wide.height.tolerance = 0.3;
+  const auto relations = detect_neighbour_relations(row.views(), wide);
   NeighbourRefinementOptions options;
   options.relations.height.let_go = 0.3;
   refine_neighbours(row.neighbours(), relations, options);

@@ -87,7 +87,7 @@ TEST(OutlinedSolids, OfNastyHousesAreValidAndFillWhatIsSeenFromAbove) {
     ++built;
     const OutlinedHouse seen(house, walls);
     double expected = 0.0;
-    constexpr double kStep = 0.1;
+    constexpr double kStep = 0.04;
     for (double x = -12.0; x < 12.0; x += kStep) {
       for (double y = -12.0; y < 12.0; y += kStep) {
         if (const auto top = seen.at_local({x, y})) {
