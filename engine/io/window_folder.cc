@@ -129,6 +129,7 @@ void WindowFolder::finish(size_t window, const ManifestWindow& counts) {
   record.small = counts.small;
   record.crowns = counts.crowns;
   record.far = counts.far;
+  record.unexplained = counts.unexplained;
   record.buildings = std::exchange(buildings_, {});
   if (writer_) {
     record.file = kFilePrefix + record.name + kFileSuffix;

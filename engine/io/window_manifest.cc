@@ -19,6 +19,7 @@ Json json_of(const ManifestWindow& window) {
   json["small_pieces"] = window.small;
   json["parts_of_trees"] = window.crowns;
   json["away_from_footprints"] = window.far;
+  json["unexplained_pieces"] = window.unexplained;
   if (window.file.empty()) return json;
   json["file"] = window.file;
   json["fnv1a64"] = window.hash;
@@ -36,6 +37,7 @@ ManifestWindow window_of(const Json& json) {
   window.small = json.at("small_pieces").get<int>();
   window.crowns = json.at("parts_of_trees").get<int>();
   window.far = json.at("away_from_footprints").get<int>();
+  window.unexplained = json.at("unexplained_pieces").get<int>();
   if (!json.contains("file")) return window;
   window.file = json.at("file").get<std::string>();
   window.hash = json.at("fnv1a64").get<std::string>();

@@ -26,6 +26,7 @@ struct ManifestWindow {
   int small = 0;                            ///< high pieces that were too small to be houses
   int crowns = 0;                           ///< high pieces that were parts of trees
   int far = 0;                              ///< houses away from footprints
+  int unexplained = 0;                      ///< small pieces that no house explains
   std::string file;                         ///< in the folder; empty where there are no buildings
   std::string hash;                         ///< of the file's bytes, see ContentHash
 };

@@ -2,6 +2,7 @@
 #include <gable/engine/reconstruct/reconstruct_tile.h>
 #include <gable/engine/reconstruct/visit_tile.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -18,6 +19,9 @@ std::string check(const TileOptions& options) {
   }
   if (!(options.overlap >= 0.0 && options.overlap <= 10000.0)) {
     return "overlap must lie in [0, 10000] m";
+  }
+  if (!(options.least_unexplained_area >= 0.0 && options.least_unexplained_area <= 1e6)) {
+    return "least_unexplained_area must lie in [0, 1e6] square metres";
   }
   if (options.threads < 1 || options.threads > 1024) return "threads must lie in [1, 1024]";
   return "";
@@ -36,6 +40,11 @@ void join_window(const JoinOptions& options, int threads, const std::stop_token&
     (*window)[i].model = std::move(joined[i]->model);
     (*window)[i].relations = std::move(joined[i]->relations);
   }
+}
+
+double area_inside(const HeightImage& image) {
+  return static_cast<double>(std::count(image.inside.begin(), image.inside.end(), 1)) * image.gsd *
+         image.gsd;
 }
 
 }  // namespace
@@ -62,6 +71,9 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
     building->building = std::move(made.building);
     building->model = std::move(made.model);
     building->choice = std::move(made.choice);
+    building->is_building = outline != nullptr ||
+                            building->building.status == BuildingStatus::kGrammar ||
+                            area_inside(building->image) >= options.least_unexplained_area;
   };
   JoinBuildings join;
   if (options.join_neighbours) {

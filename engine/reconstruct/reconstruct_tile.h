@@ -44,6 +44,10 @@ struct TileOptions {
   /// Folder of temporary files: derived terrain, where the raster has several windows. Nothing is
   /// left there. Empty: the system's.
   std::string scratch;
+  /// Pieces found in the heights that no house of the grammar explains and that cover less than
+  /// this are no buildings, square metres, [0, 1e6]: hedges and clumps of trees, mostly. With
+  /// outlines every polygon is one.
+  double least_unexplained_area = 60.0;
   int threads = 1;  ///< [1, 1024]
   /// Folder of the learned detectors (engine/detectors/detector_nets.h), a second source of first
   /// values; empty: none.
@@ -60,7 +64,8 @@ std::string check(const TileOptions& options);
 
 /// One building of a tile.
 struct TileBuilding {
-  size_t index = 0;  ///< counts the buildings in the order of delivery
+  size_t index = 0;         ///< rises in the order of delivery
+  bool is_building = true;  ///< false: taken for something else after all, and not delivered
   Building building;
   BuildingModel model;
   HeightImage image;   ///< what it was fitted to
@@ -72,9 +77,10 @@ struct TileBuilding {
 /// What happened.
 struct TileSummary {
   size_t num_buildings = 0;
-  int num_small = 0;  ///< high pieces that were too small to be houses
-  int num_crown = 0;  ///< high pieces that were parts of tree crowns
-  int num_far = 0;    ///< houses dropped by the filter
+  int num_small = 0;        ///< high pieces that were too small to be houses
+  int num_unexplained = 0;  ///< pieces that no house explains and that are small for anything else
+  int num_crown = 0;        ///< high pieces that were parts of tree crowns
+  int num_far = 0;          ///< houses dropped by the filter
   bool stopped = false;
 };
 

@@ -89,6 +89,7 @@ class TileVisit {
     summary.num_small -= before.num_small;
     summary.num_crown -= before.num_crown;
     summary.num_far -= before.num_far;
+    summary.num_unexplained -= before.num_unexplained;
     return summary;
   }
 
@@ -161,17 +162,22 @@ class TileVisit {
 
   void visit_all(size_t count, const std::function<TileBuilding(size_t)>& make) {
     if (callbacks_.begin_window) callbacks_.begin_window(window_, num_windows_, count);
-    const size_t first = summary_.num_buildings;
+    const size_t first = num_visited_;
+    num_visited_ += count;
     const auto made = [&](size_t i) {
       TileBuilding out = make(i);
       out.index = first + i;
-      if (!join_) inspect(out);
+      if (!join_ && out.is_building) inspect(out);
       return out;
     };
     std::vector<TileBuilding> window;  // of those to be joined
     bool done =
         run_in_order<TileBuilding>(count, options_.threads, stop_, made, [&](TileBuilding&& out) {
           if (callbacks_.made) callbacks_.made();
+          if (!out.is_building) {
+            ++summary_.num_unexplained;
+            return;
+          }
           join_ ? window.push_back(std::move(out)) : deliver(std::move(out));
         });
     if (join_ && done) done = join_and_deliver(&window);
@@ -260,6 +266,7 @@ class TileVisit {
   std::vector<CellBox> extents_;  ///< of the footprints
   TileTerrain terrain_;
   TileSummary summary_;
+  size_t num_visited_ = 0;  ///< pieces and outlines, buildings or not
   int window_ = 0, num_windows_ = 0;
 };
 

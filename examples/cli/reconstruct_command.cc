@@ -57,7 +57,8 @@ void summarise(const TileSummary& summary, const OutsideGrammar& outside,
                      " extrusions";
   if (options.tile.footprints.empty()) {
     line += "; left out: " + std::to_string(summary.num_small) + " small pieces, " +
-            std::to_string(summary.num_crown) + " parts of trees";
+            std::to_string(summary.num_crown) + " parts of trees, " +
+            std::to_string(summary.num_unexplained) + " small pieces that no house explains";
     if (!options.filter.empty()) {
       line += ", " + std::to_string(summary.num_far) + " away from footprints";
     }

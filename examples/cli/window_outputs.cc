@@ -135,6 +135,7 @@ void WindowOutputs::follow(TileCallbacks* callbacks) {
     counts.small = summary.num_small;
     counts.crowns = summary.num_crown;
     counts.far = summary.num_far;
+    counts.unexplained = summary.num_unexplained;
     folder_.finish(window_, counts);
   };
 }
@@ -151,6 +152,7 @@ TileSummary WindowOutputs::summary() const {
     summary.num_small += window.small;
     summary.num_crown += window.crowns;
     summary.num_far += window.far;
+    summary.num_unexplained += window.unexplained;
   }
   return summary;
 }

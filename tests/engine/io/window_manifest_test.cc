@@ -14,9 +14,9 @@ WindowManifest sample() {
   manifest.options = {{"--crs", "EPSG:28992"}, {"--window", "2048"}};
   manifest.windows.resize(3);
   manifest.windows[0].name = "0000_0000";
-  manifest.windows[1] = {"0000_0001", true, {{"extrusion", 1}, {"grammar", 4}}, 5,
-                         6,           7,    "window_0000_0001.city.jsonl",      "abcd"};
-  manifest.windows[2] = {"0000_0002", true, {}, 1, 0, 0, "", ""};
+  manifest.windows[1] = {"0000_0001", true, {{"extrusion", 1}, {"grammar", 4}}, 5,     6,
+                         7,           8,    "window_0000_0001.city.jsonl",      "abcd"};
+  manifest.windows[2] = {"0000_0002", true, {}, 1, 0, 0, 0, "", ""};
   return manifest;
 }
 
@@ -28,6 +28,7 @@ TEST(WindowManifest, IsReadBackAsItWas) {
   EXPECT_EQ(difference(back, sample()), "");
   EXPECT_EQ(num_buildings(back.windows[1]), 5u);
   EXPECT_FALSE(back.windows[0].done);
+  EXPECT_EQ(back.windows[1].unexplained, 8);
   EXPECT_EQ(back.windows[1].hash, "abcd");
 }
 

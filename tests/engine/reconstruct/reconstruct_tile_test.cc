@@ -1,6 +1,7 @@
 #include <gable/engine/io/raster_file.h>
 #include <gable/engine/io/raster_writer.h>
 #include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/reconstruct/visit_tile.h>
 #include <gable/grammar/synthesis/terrace.h>
 #include <gable/grammar/synthesis/village.h>
 #include <gtest/gtest.h>
@@ -74,6 +75,54 @@ class ReconstructTile : public testing::Test {
 TEST_F(ReconstructTile, WindowsDoNotChangeWhatIsFound) { expect_same_in_windows(false); }
 
 TEST_F(ReconstructTile, WindowsDoNotChangeWhatIsMadeOfFootprints) { expect_same_in_windows(true); }
+
+TEST_F(ReconstructTile, WhatIsNoBuildingAfterAllIsCountedAndNotDelivered) {
+  const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
+  std::vector<size_t> indices;
+  TileCallbacks callbacks;
+  callbacks.inspect = [](const TileBuilding& made) { EXPECT_TRUE(made.is_building); };
+  callbacks.deliver = [&](TileBuilding&& made) { indices.push_back(made.index); };
+  int asked = 0;
+  const TileSummary summary =
+      visit_tile({&dsm, &dtm, nullptr, nullptr}, TileOptions{}, {}, callbacks,
+                 [&](const std::string&, const PlanPolygon*, TileBuilding* building) {
+                   building->is_building = asked++ % 3 != 1;
+                 });
+  ASSERT_EQ(asked, 6);
+  EXPECT_EQ(summary.num_buildings, 4u);
+  EXPECT_EQ(summary.num_unexplained, 2);
+  EXPECT_EQ(indices, (std::vector<size_t>{0, 2, 3, 5}));
+}
+
+TEST_F(ReconstructTile, SmallPiecesThatNoHouseExplainsAreNoBuildingsUnlessOutlined) {
+  // A quarter of a ring, 2 m wide, of two heights that are no roof's.
+  HeightRaster ring(village_.dtm.grid, 0.0f);
+  const Eigen::Vector2d center = ring.grid.center_of(40, 40);
+  for (int row = 0; row < ring.grid.rows; ++row) {
+    for (int col = 0; col < ring.grid.cols; ++col) {
+      const Eigen::Vector2d p = ring.grid.center_of(row, col) - center;
+      const bool on = p.x() > 0.0 && p.y() > 0.0 && p.norm() > 6.0 && p.norm() < 9.5;
+      if (on) ring.at(row, col) = p.x() > p.y() ? 4.0f : 9.0f;
+    }
+  }
+  write_raster(folder_.path("ring.tif"), ring, crs_from_text("EPSG:27700"));
+  write_raster(folder_.path("flat.tif"), HeightRaster(ring.grid, 0.0f),
+               crs_from_text("EPSG:27700"));
+  const RasterFile dsm(folder_.path("ring.tif")), dtm(folder_.path("flat.tif"));
+  TileOptions options;
+  const auto count = [&] {
+    const TileSummary summary = reconstruct_tile({&dsm, &dtm, nullptr, nullptr}, options, {}, {});
+    return std::pair(summary.num_buildings, summary.num_unexplained);
+  };
+  options.building.extrusion_margin = 0.0;
+  options.least_unexplained_area = 0.0;
+  EXPECT_EQ(count(), std::pair(size_t{1}, 0));
+  options.least_unexplained_area = 1e6;
+  const auto [buildings, unexplained] = count();
+  EXPECT_EQ(buildings + static_cast<size_t>(unexplained), 1u);
+  options.least_unexplained_area = -1.0;
+  EXPECT_EQ(check(options), "least_unexplained_area must lie in [0, 1e6] square metres");
+}
 
 TEST_F(ReconstructTile, WithDetectorsThreadsChangeNothing) {
   const RasterFile dsm(folder_.path("dsm.tif")), dtm(folder_.path("dtm.tif"));
