@@ -60,6 +60,15 @@ void BlockAlignment::add_derived(int low, int high, double share, std::vector<Le
   levels->push_back({value, low, high, share});
 }
 
+Shake shake_of_attempt(int attempt) {
+  Shake shake;
+  if (attempt == 0) return shake;
+  shake.scope = attempt % 2 == 1 ? Shake::Scope::kLevels : Shake::Scope::kBlocks;
+  shake.amplitude = 0.004 + 0.001 * (attempt - 1);
+  shake.seed = static_cast<uint64_t>(attempt);
+  return shake;
+}
+
 BlockAlignment::BlockAlignment(const std::vector<Block<double>>& blocks, double base) {
   using namespace block_value;
   heights_.push_back({base});

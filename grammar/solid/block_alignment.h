@@ -18,6 +18,10 @@ struct Shake {
   uint64_t seed = 0;
 };
 
+/// What to move in an attempt to build valid solids: nothing at first (attempt 0), then by turns
+/// coincident edges together and every edge on its own, by 4 mm and 1 mm more each time.
+Shake shake_of_attempt(int attempt);
+
 /// Blocks whose nearly coincident edges and heights are made equal, so that no wall, step or gap
 /// is finer than can be built: coordinates within 2 cm of an edge or ridge of an earlier block take
 /// its value, heights within 1 cm likewise. Hips shorter than 5 cm become gables, ridges shorter

@@ -57,17 +57,6 @@ void flatten(Block<double>* block) {
   block->mansard = false;
 }
 
-// What to move in an attempt: nothing at first, then by turns coincident edges together and every
-// edge on its own. The amplitude grows from 4 mm to 2.6 cm.
-Shake shake_of_attempt(int attempt) {
-  Shake shake;
-  if (attempt == 0) return shake;
-  shake.scope = attempt % 2 == 1 ? Shake::Scope::kLevels : Shake::Scope::kBlocks;
-  shake.amplitude = 0.004 + 0.001 * (attempt - 1);
-  shake.seed = static_cast<uint64_t>(attempt);
-  return shake;
-}
-
 // outline: house frame, or null.
 std::optional<std::vector<Solid>> build_part(const BlockAlignment& alignment,
                                              const std::vector<BlockSource>& sources,

@@ -56,16 +56,6 @@ House lowered(House house, double thickness, bool with_dormers) {
   return house;
 }
 
-// What moves in an attempt, as in build_house_solids.
-Shake shake_of_attempt(int attempt) {
-  Shake shake;
-  if (attempt == 0) return shake;
-  shake.scope = attempt % 2 == 1 ? Shake::Scope::kLevels : Shake::Scope::kBlocks;
-  shake.amplitude = 0.004 + 0.001 * (attempt - 1);
-  shake.seed = static_cast<uint64_t>(attempt);
-  return shake;
-}
-
 std::vector<SlabBlock> slab_blocks(const std::vector<BlockSource>& sources,
                                    const BlockAlignment& alignment, const Shake& shake,
                                    bool with_dormers) {

@@ -1,4 +1,3 @@
-#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/overhang.h>
 #include <gable/grammar/solid/slab_plan.h>
 
@@ -100,9 +99,7 @@ bool SlabPlan::is_next_door(const Eigen::Vector2d& p) const {
     if (roof.body.contains(p)) return false;
   }
   for (const PlanPolygon& neighbour : neighbours_) {
-    bool inside = ring_holds(neighbour.outer, p);
-    for (const auto& hole : neighbour.holes) inside = inside != ring_holds(hole, p);
-    if (inside) return true;
+    if (polygon_holds(neighbour, p)) return true;
   }
   return false;
 }
