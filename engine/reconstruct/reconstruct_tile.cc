@@ -11,7 +11,7 @@ namespace gable {
 std::string check(const TileOptions& options) {
   for (const std::string& error :
        {check(options.find), check(options.crop), check(options.building),
-        check(options.detected_values), check(options.join)}) {
+        check(options.detected_values), check(options.row_cuts), check(options.join)}) {
     if (!error.empty()) return error;
   }
   if (options.window_cells < 64 || options.window_cells > 32768) {
@@ -71,7 +71,7 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
     building->building = std::move(made.building);
     building->model = std::move(made.model);
     building->choice = std::move(made.choice);
-    building->is_building = outline != nullptr ||
+    building->is_building = outline != nullptr || building->of_row ||
                             building->building.status == BuildingStatus::kGrammar ||
                             area_inside(building->image) >= options.least_unexplained_area;
   };

@@ -8,6 +8,7 @@
 #include <gable/engine/reconstruct/height_crop.h>
 #include <gable/engine/reconstruct/join_neighbours.h>
 #include <gable/engine/reconstruct/reconstruct_building.h>
+#include <gable/engine/reconstruct/row_cuts.h>
 #include <gable/engine/reconstruct/terrain.h>
 #include <gable/engine/reconstruct/tile_windows.h>
 #include <gable/residuals/height_image.h>
@@ -48,6 +49,10 @@ struct TileOptions {
   /// this are no buildings, square metres, [0, 1e6]: hedges and clumps of trees, mostly. With
   /// outlines every polygon is one.
   double least_unexplained_area = 60.0;
+  /// Cut what was found in the heights and is large into pieces of a few blocks, along the walls
+  /// where houses of a row meet. With outlines every polygon is one building.
+  bool cut_rows = true;
+  RowCutOptions row_cuts;
   int threads = 1;  ///< [1, 1024]
   /// Folder of the learned detectors (engine/detectors/detector_nets.h), a second source of first
   /// values; empty: none.
@@ -66,6 +71,7 @@ std::string check(const TileOptions& options);
 struct TileBuilding {
   size_t index = 0;         ///< rises in the order of delivery
   bool is_building = true;  ///< false: taken for something else after all, and not delivered
+  bool of_row = false;      ///< a piece that a row was cut into
   Building building;
   BuildingModel model;
   HeightImage image;   ///< what it was fitted to

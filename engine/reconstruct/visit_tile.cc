@@ -1,3 +1,4 @@
+#include <gable/engine/reconstruct/found_rows.h>
 #include <gable/engine/reconstruct/ordered_pool.h>
 #include <gable/engine/reconstruct/tile_crops.h>
 #include <gable/engine/reconstruct/tile_terrain.h>
@@ -112,18 +113,27 @@ class TileVisit {
     }
     summary_.num_small += found.num_small;
     summary_.num_crown += found.num_crown;
-    std::vector<size_t> mine;
+    std::vector<size_t> whole, mine;
+    std::vector<char> of_row;
     std::vector<std::string> ids;
     std::unordered_set<std::string> taken;
     for (size_t i = 0; i < found.houses.size(); ++i) {
       if (!holds_center(core, in_tile(found.houses[i].box, window))) continue;
-      if (!cut_where_it_goes_on(window, i, &found)) continue;
-      mine.push_back(i);
-      ids.push_back(id_of_place(in_tile(found.houses[i].box, window), &taken));
+      if (cut_where_it_goes_on(window, i, &found)) whole.push_back(i);
+    }
+    // Once all are cut at the window's border: a row is cut as far as it is this window's.
+    for (const size_t i : whole) {
+      const std::vector<size_t> pieces = pieces_of(window, i, &found);
+      for (const size_t piece : pieces) {
+        mine.push_back(piece);
+        of_row.push_back(pieces.size() > 1);
+        ids.push_back(id_of_place(in_tile(found.houses[piece].box, window), &taken));
+      }
     }
     visit_all(mine.size(), [&](size_t i) {
       TileBuilding out;
       out.image = crop_found_house(window.dsm, window.dtm, found, mine[i], options_.crop);
+      out.of_row = of_row[i];
       make_(ids[i], nullptr, &out);
       return out;
     });
@@ -240,6 +250,12 @@ class TileVisit {
     }
     house = part;
     return part.num_cells > 0;
+  }
+
+  /// The houses that a row is cut into, or the house itself.
+  std::vector<size_t> pieces_of(const Window& window, size_t index, FoundHouses* found) const {
+    if (!options_.cut_rows) return {index};
+    return cut_found_row(window.dsm, window.dtm, index, options_.row_cuts, found);
   }
 
   /// Two houses can have one centre (one stands in the other's yard), and both are of the window

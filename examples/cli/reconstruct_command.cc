@@ -35,6 +35,7 @@ struct ReconstructOptions {
   std::string filter;
   std::vector<std::string> explain;  ///< ids
   bool no_join = false;
+  bool no_cut = false;
   int window_cells = TileOptions().window_cells;
   bool resume = false;
 };
@@ -147,6 +148,7 @@ void run(ReconstructOptions options, const CLI::App& command, const CommandConte
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
   tile_options.join_neighbours = !options.no_join;
+  tile_options.cut_rows = !options.no_cut;
   std::optional<ModelOutputs> outputs;   // either these
   std::optional<WindowOutputs> windows;  // or these
   if (names_a_folder(options.output.models)) {
@@ -233,6 +235,8 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
       ->type_name("ID")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag("--no-cut", options->no_cut,
+                    "Leave rows of houses that are found in the heights in one piece");
   command->add_flag("--no-join", options->no_join,
                     "Leave houses that share a party wall as each was fitted by itself, instead of "
                     "refining them together");

@@ -1,0 +1,300 @@
+#include <gable/engine/reconstruct/row_cuts.h>
+#include <glog/logging.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+#include <utility>
+
+namespace gable {
+namespace {
+
+// Pixels of one piece.
+using Pixels = std::vector<size_t>;
+
+// Steps of one pixel to the east and to the south.
+constexpr std::array<std::array<int, 2>, 2> kForward = {{{0, 1}, {1, 0}}};
+
+/// A line across the plan: pixels with normal . p < offset lie on its first side.
+struct Line {
+  Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
+  double offset = 0.0;       ///< metres
+  double ratio = std::numeric_limits<double>::infinity();
+  double step_share = 0.0;  ///< of its length inside that follows steps
+};
+
+class RowCutter {
+ public:
+  RowCutter(const HeightImage& image, const RowCutOptions& options)
+      : image_(image), options_(options), piece_(image.size(), -1), beside_step_(image.size(), 0) {
+    find_steps();
+  }
+
+  std::vector<int> run() {
+    Pixels all;
+    for (size_t i = 0; i < image_.size(); ++i) {
+      if (image_.inside[i]) all.push_back(i);
+    }
+    if (all.empty()) return piece_;
+    for (const size_t i : all) piece_[i] = 0;
+    num_pieces_ = 1;
+    std::vector<int> open = components_of(all);
+    while (!open.empty()) {
+      const int piece = open.back();
+      open.pop_back();
+      for (const int part : cut(piece)) open.push_back(part);
+    }
+    number_by_first_pixels();
+    return piece_;
+  }
+
+ private:
+  double cell_area() const { return image_.gsd * image_.gsd; }
+
+  Eigen::Vector2d center_of(size_t i) const {
+    return image_.center_of(static_cast<int>(i) / image_.cols, static_cast<int>(i) % image_.cols);
+  }
+
+  double over_ground(size_t i) const {
+    return std::max(0.0, static_cast<double>(image_.height[i]) - image_.ground[i]);
+  }
+
+  /// Marks the pixels beside which heights jump by more than the roofs' own slopes.
+  void find_steps() {
+    cv::Mat steps(image_.rows, image_.cols, CV_8U, cv::Scalar(0));
+    const auto inside = [&](int row, int col) {
+      return row >= 0 && col >= 0 && row < image_.rows && col < image_.cols &&
+             image_.inside[image_.index(row, col)];
+    };
+    const auto z = [&](int row, int col) -> double {
+      return image_.height[image_.index(row, col)];
+    };
+    for (const auto& [dr, dc] : kForward) {
+      for (int row = 0; row < image_.rows; ++row) {
+        for (int col = 0; col < image_.cols; ++col) {
+          if (!inside(row, col) || !inside(row + dr, col + dc)) continue;
+          const double jump = z(row + dr, col + dc) - z(row, col);
+          double excess = std::abs(jump);
+          if (inside(row - dr, col - dc)) {
+            excess = std::min(excess, std::abs(jump - (z(row, col) - z(row - dr, col - dc))));
+          }
+          if (inside(row + 2 * dr, col + 2 * dc)) {
+            const double slope = z(row + 2 * dr, col + 2 * dc) - z(row + dr, col + dc);
+            excess = std::min(excess, std::abs(jump - slope));
+          }
+          if (excess <= options_.step) continue;
+          steps.at<unsigned char>(row, col) = 1;
+          steps.at<unsigned char>(row + dr, col + dc) = 1;
+        }
+      }
+    }
+    for (size_t i = 0; i < beside_step_.size(); ++i) {
+      beside_step_[i] = steps.at<unsigned char>(static_cast<int>(i) / image_.cols,
+                                                static_cast<int>(i) % image_.cols);
+    }
+  }
+
+  /// Makes pieces of the parts of `pixels` that hang together over pixel edges; they all have one
+  /// piece's number, which the first of them keeps.
+  std::vector<int> components_of(const Pixels& pixels) {
+    std::vector<int> made;
+    const int old = piece_[pixels.front()];
+    for (const size_t i : pixels) piece_[i] = kUnvisited;
+    Pixels cells;
+    for (const size_t seed : pixels) {
+      if (piece_[seed] != kUnvisited) continue;
+      const int number = made.empty() ? old : num_pieces_++;
+      cells.assign(1, seed);
+      piece_[seed] = number;
+      for (size_t next = 0; next < cells.size(); ++next) {
+        for_neighbours(cells[next], [&](size_t j) {
+          if (piece_[j] != kUnvisited) return;
+          piece_[j] = number;
+          cells.push_back(j);
+        });
+      }
+      made.push_back(number);
+    }
+    return made;
+  }
+
+  template <typename Visit>
+  void for_neighbours(size_t i, Visit visit) const {
+    const int row = static_cast<int>(i) / image_.cols, col = static_cast<int>(i) % image_.cols;
+    if (row > 0) visit(i - image_.cols);
+    if (col > 0) visit(i - 1);
+    if (col + 1 < image_.cols) visit(i + 1);
+    if (row + 1 < image_.rows) visit(i + image_.cols);
+  }
+
+  Pixels pixels_of(int piece) const {
+    Pixels pixels;
+    for (size_t i = 0; i < piece_.size(); ++i) {
+      if (piece_[i] == piece) pixels.push_back(i);
+    }
+    return pixels;
+  }
+
+  double fill_of(const Pixels& pixels) const {
+    std::vector<cv::Point2f> points;
+    for (const size_t i : pixels) {
+      const Eigen::Vector2d p = center_of(i);
+      points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
+    }
+    const cv::RotatedRect box = cv::minAreaRect(points);
+    return pixels.size() * cell_area() /
+           ((box.size.width + image_.gsd) * (box.size.height + image_.gsd));
+  }
+
+  /// The line of least ratio among those of one direction.
+  Line best_line(const Pixels& pixels, const Eigen::Vector2d& normal) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const size_t i : pixels) {
+      const double t = normal.dot(center_of(i));
+      low = std::min(low, t);
+      high = std::max(high, t);
+    }
+    const double bin = 0.5 * image_.gsd;
+    const int num = static_cast<int>((high - low) / bin) + 2;
+    const auto bin_of = [&](double t) { return static_cast<int>((t - low) / bin); };
+    // Differences along the bins: what the pixel edges that a line crosses add to it.
+    std::vector<double> cost(num + 1, 0.0), length(num + 1, 0.0), stepped(num + 1, 0.0);
+    std::vector<double> area(num + 1, 0.0);
+    // A line of unit length crosses so many pixel edges.
+    const double edge = image_.gsd / (std::abs(normal.x()) + std::abs(normal.y()));
+    for (const size_t i : pixels) {
+      const double t = normal.dot(center_of(i));
+      area[bin_of(t) + 1] += cell_area();
+      const int row = static_cast<int>(i) / image_.cols, col = static_cast<int>(i) % image_.cols;
+      for (const auto& [dr, dc] : kForward) {
+        if (row + dr >= image_.rows || col + dc >= image_.cols) continue;
+        const size_t j = image_.index(row + dr, col + dc);
+        if (piece_[j] != piece_[i]) continue;
+        const double other = normal.dot(center_of(j));
+        const int from = bin_of(std::min(t, other)) + 1, to = bin_of(std::max(t, other)) + 1;
+        const bool step = beside_step_[i] && beside_step_[j];
+        const double wall = edge * std::min(over_ground(i), over_ground(j)) *
+                            (step ? options_.step_price : 1.0);
+        cost[from] += wall;
+        cost[to] -= wall;
+        length[from] += edge;
+        length[to] -= edge;
+        stepped[from] += step * edge;
+        stepped[to] -= step * edge;
+      }
+    }
+    Line best;
+    double wall = 0.0, metres = 0.0, steps = 0.0, first = 0.0;
+    const double whole = pixels.size() * cell_area();
+    for (int k = 1; k < num; ++k) {
+      wall += cost[k];
+      metres += length[k];
+      steps += stepped[k];
+      first += area[k];
+      const double smaller = std::min(first, whole - first);
+      if (smaller < options_.least_part) continue;
+      const double ratio = wall / smaller;
+      if (ratio >= best.ratio) continue;
+      best = {normal, low + k * bin, ratio, metres > 0.0 ? steps / metres : 1.0};
+    }
+    return best;
+  }
+
+  /// Cuts a piece and returns the pieces that it is now; none where it stays whole.
+  std::vector<int> cut(int piece) {
+    const Pixels pixels = pixels_of(piece);
+    if (pixels.size() * cell_area() <= options_.most_area) return {};
+    Line best;
+    for (int k = 0; k < options_.directions; ++k) {
+      const double angle = M_PI * k / options_.directions;
+      const Line line = best_line(pixels, {std::cos(angle), std::sin(angle)});
+      if (line.ratio < best.ratio) best = line;
+    }
+    if (!std::isfinite(best.ratio)) return {};
+    if (best.step_share < kDivides && fill_of(pixels) >= options_.fill) return {};
+    Pixels first, second;
+    for (const size_t i : pixels) {
+      (best.normal.dot(center_of(i)) < best.offset ? first : second).push_back(i);
+    }
+    const int other = num_pieces_++;
+    for (const size_t i : second) piece_[i] = other;
+    std::vector<int> parts = components_of(first);
+    for (const int part : components_of(second)) parts.push_back(part);
+    give_away_crumbs(&parts);
+    // Where all but one were crumbs nothing was cut.
+    if (parts.size() < 2) return {};
+    return parts;
+  }
+
+  /// Gives the parts that are too small to the neighbour that they share most edges with.
+  void give_away_crumbs(std::vector<int>* parts) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (size_t k = 0; k < parts->size(); ++k) {
+        const Pixels pixels = pixels_of((*parts)[k]);
+        if (pixels.size() * cell_area() >= options_.least_part) continue;
+        std::vector<int> shared(parts->size(), 0);
+        for (const size_t i : pixels) {
+          for_neighbours(i, [&](size_t j) {
+            const auto at = std::find(parts->begin(), parts->end(), piece_[j]);
+            if (at != parts->end()) ++shared[at - parts->begin()];
+          });
+        }
+        shared[k] = 0;
+        const auto most = std::max_element(shared.begin(), shared.end());
+        if (*most == 0) continue;
+        for (const size_t i : pixels) piece_[i] = (*parts)[most - shared.begin()];
+        parts->erase(parts->begin() + static_cast<std::ptrdiff_t>(k));
+        changed = true;
+        break;
+      }
+    }
+  }
+
+  void number_by_first_pixels() {
+    std::vector<int> number(num_pieces_, -1);
+    int next = 0;
+    for (int& piece : piece_) {
+      if (piece < 0) continue;
+      if (number[piece] < 0) number[piece] = next++;
+      piece = number[piece];
+    }
+  }
+
+  static constexpr int kUnvisited = -2;
+  // A line of which this share follows steps divides two buildings.
+  static constexpr double kDivides = 0.5;
+
+  const HeightImage& image_;
+  const RowCutOptions& options_;
+  std::vector<int> piece_;
+  std::vector<unsigned char> beside_step_;
+  int num_pieces_ = 0;
+};
+
+}  // namespace
+
+std::string check(const RowCutOptions& options) {
+  if (!(options.most_area >= 20.0 && options.most_area <= 1e6)) {
+    return "most_area must lie in [20, 1e6] square metres";
+  }
+  if (!(options.least_part >= 0.0 && options.least_part <= 1000.0)) {
+    return "least_part must lie in [0, 1000] square metres";
+  }
+  if (!(options.step > 0.0 && options.step <= 10.0)) return "step must lie in (0, 10] m";
+  if (!(options.step_price >= 0.0 && options.step_price <= 1.0)) {
+    return "step_price must lie in [0, 1]";
+  }
+  if (!(options.fill > 0.0 && options.fill <= 1.0)) return "fill must lie in (0, 1]";
+  if (options.directions < 2 || options.directions > 360) return "directions must lie in [2, 360]";
+  return "";
+}
+
+std::vector<int> cut_rows(const HeightImage& image, const RowCutOptions& options) {
+  CHECK(check(options).empty()) << check(options);
+  return RowCutter(image, options).run();
+}
+
+}  // namespace gable
