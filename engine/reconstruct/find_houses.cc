@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -76,6 +77,77 @@ int crown_and_rim(const Raster<int>& labels, const Raster<unsigned char>& crown,
   return count;
 }
 
+/// The high cells beside the crowns that hang together, those that are no houses dropped.
+FoundHouses pieces_beside(const HeightRaster& dsm, const HeightRaster& dtm,
+                          const Raster<unsigned char>& crown, const FindHousesOptions& options) {
+  const Grid& grid = dsm.grid;
+  FoundHouses found;
+  found.label = Raster<int>(grid, 0);
+  std::vector<unsigned char> high(grid.size(), 0);
+  for (size_t i = 0; i < high.size(); ++i) {
+    high[i] = !crown.values[i] && dsm.values[i] - dtm.values[i] > options.least_height;
+  }
+
+  const double cell_area = grid.gsd * grid.gsd;
+  const int reach = static_cast<int>(std::lround(options.crown_reach / grid.gsd));
+  const int width = std::max(2, static_cast<int>(std::lround(kLeastWidth / grid.gsd)));
+  std::vector<size_t> cells;
+  for (size_t seed = 0; seed < high.size(); ++seed) {
+    if (!high[seed] || found.label.values[seed] != 0) continue;
+    const int label = static_cast<int>(found.houses.size()) + 1;
+    const FoundHouse house = flood(high, seed, label, &found.label, &cells);
+    const bool small = house.num_cells * cell_area < options.least_area;
+    const bool tree =
+        !small && crown_and_rim(found.label, crown, label, house, reach, width) > house.num_cells;
+    if (!small && !tree) {
+      found.houses.push_back(house);
+      continue;
+    }
+    (small ? found.num_small : found.num_crown) += 1;
+    for (const size_t i : cells) found.label.values[i] = FoundHouses::kDropped;
+  }
+  return found;
+}
+
+/// Takes the crowns away whose rims are houses' for the most part. Returns whether there are any.
+bool drop_crowns_on_roofs(const FindHousesOptions& options, const FoundHouses& found,
+                          Raster<unsigned char>* crown) {
+  const Grid& grid = crown->grid;
+  const cv::Mat mask(grid.rows, grid.cols, CV_8U, crown->values.data());
+  cv::Mat labels;
+  const int count = cv::connectedComponents(mask, labels, 8, CV_32S);
+  std::vector<int> rim(count, 0), roof(count, 0);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int col = 0; col < grid.cols; ++col) {
+      if (labels.at<int>(row, col) != 0) continue;
+      // A cell may lie on the rims of several crowns.
+      std::array<int, 4> beside{};
+      int num_beside = 0;
+      constexpr int kSteps[4][2] = {{-1, 0}, {0, -1}, {0, 1}, {1, 0}};
+      for (const auto& step : kSteps) {
+        const int r = row + step[0], c = col + step[1];
+        if (!grid.contains(r, c)) continue;
+        const int label = labels.at<int>(r, c);
+        const auto end = beside.begin() + num_beside;
+        if (label == 0 || std::find(beside.begin(), end, label) != end) continue;
+        beside[num_beside++] = label;
+        ++rim[label];
+        roof[label] += found.label.at(row, col) > 0;
+      }
+    }
+  }
+  bool any = false;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int col = 0; col < grid.cols; ++col) {
+      const int label = labels.at<int>(row, col);
+      if (label == 0 || roof[label] <= options.roof_rim * rim[label]) continue;
+      crown->at(row, col) = 0;
+      any = true;
+    }
+  }
+  return any;
+}
+
 /// Removes the houses that are not kept and numbers the others anew, in the same order.
 void keep_houses(const std::vector<char>& keep, FoundHouses* found) {
   std::vector<int> new_label(found->houses.size() + 1, FoundHouses::kDropped);
@@ -102,6 +174,7 @@ std::string check(const FindHousesOptions& options) {
   if (!(options.crown_reach >= 0.0 && options.crown_reach <= 10.0)) {
     return "crown_reach must lie in [0, 10] m";
   }
+  if (!(options.roof_rim >= 0.0 && options.roof_rim <= 1.0)) return "roof_rim must lie in [0, 1]";
   return "";
 }
 
@@ -128,34 +201,13 @@ FoundHouses find_houses(const HeightRaster& dsm, const HeightRaster& dtm,
                         const FindHousesOptions& options) {
   CHECK(check(options).empty()) << check(options);
   CHECK(dsm.grid == dtm.grid);
-  const Grid& grid = dsm.grid;
-  FoundHouses found;
-  found.label = Raster<int>(grid, 0);
-  found.crown = Raster<unsigned char>(grid, 0);
-  found.crown.values = crowns_of(dsm, dtm, options.vegetation);
-  std::vector<unsigned char> high(grid.size(), 0);
-  for (size_t i = 0; i < high.size(); ++i) {
-    high[i] = !found.crown.values[i] && dsm.values[i] - dtm.values[i] > options.least_height;
+  Raster<unsigned char> crown(dsm.grid, 0);
+  crown.values = crowns_of(dsm, dtm, options.vegetation);
+  FoundHouses found = pieces_beside(dsm, dtm, crown, options);
+  if (drop_crowns_on_roofs(options, found, &crown)) {
+    found = pieces_beside(dsm, dtm, crown, options);
   }
-
-  const double cell_area = grid.gsd * grid.gsd;
-  const int reach = static_cast<int>(std::lround(options.crown_reach / grid.gsd));
-  const int width = std::max(2, static_cast<int>(std::lround(kLeastWidth / grid.gsd)));
-  std::vector<size_t> cells;
-  for (size_t seed = 0; seed < high.size(); ++seed) {
-    if (!high[seed] || found.label.values[seed] != 0) continue;
-    const int label = static_cast<int>(found.houses.size()) + 1;
-    const FoundHouse house = flood(high, seed, label, &found.label, &cells);
-    const bool small = house.num_cells * cell_area < options.least_area;
-    const bool crown = !small && crown_and_rim(found.label, found.crown, label, house, reach,
-                                               width) > house.num_cells;
-    if (!small && !crown) {
-      found.houses.push_back(house);
-      continue;
-    }
-    (small ? found.num_small : found.num_crown) += 1;
-    for (const size_t i : cells) found.label.values[i] = FoundHouses::kDropped;
-  }
+  found.crown = std::move(crown);
   return found;
 }
 

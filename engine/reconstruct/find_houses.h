@@ -16,6 +16,9 @@ struct FindHousesOptions {
   /// Pieces are parts of trees where the crowns around them, up to this distance, and their own
   /// parts of under 2 m width are together more than all their cells, metres, [0, 10].
   double crown_reach = 1.5;
+  /// Crowns that houses surround by more than this share of their rim are clutter on roofs, [0, 1]:
+  /// dormers side by side, plant, the edges of narrow roofs. 1: none is.
+  double roof_rim = 0.5;
   VegetationOptions vegetation;
 };
 

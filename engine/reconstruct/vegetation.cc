@@ -31,6 +31,31 @@ float plane_deviation(const HeightImage& image, int row, int col, int step) {
   return static_cast<float>(std::sqrt(std::max(residual, 0.0) / 6.0));
 }
 
+// Removes the patches of rough pixels that are too small or, on average, too smooth for crowns.
+void drop_roofs(const cv::Mat& roughness, double gsd, const VegetationOptions& options,
+                cv::Mat* crowns) {
+  cv::Mat labels;
+  const int count = cv::connectedComponents(*crowns, labels, 8, CV_32S);
+  std::vector<int> pixels(count, 0);
+  std::vector<double> sum(count, 0.0);
+  for (int row = 0; row < labels.rows; ++row) {
+    for (int col = 0; col < labels.cols; ++col) {
+      const int label = labels.at<int>(row, col);
+      ++pixels[label];
+      sum[label] += roughness.at<float>(row, col);
+    }
+  }
+  const double least = options.least_contrast * options.roughness;
+  for (int row = 0; row < labels.rows; ++row) {
+    for (int col = 0; col < labels.cols; ++col) {
+      const int label = labels.at<int>(row, col);
+      const bool crown = pixels[label] * gsd * gsd >= options.least_area &&
+                         sum[label] >= least * pixels[label];
+      if (!crown) crowns->at<unsigned char>(row, col) = 0;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<unsigned char> find_vegetation(const HeightImage& image,
@@ -73,16 +98,7 @@ std::vector<unsigned char> find_vegetation(const HeightImage& image,
   // Gaps between leaves and the crowns' rims, whose neighbourhoods reach out to open ground.
   const int rim = std::max(1, static_cast<int>(std::lround(options.rim / image.gsd)));
   cv::morphologyEx(crowns, crowns, cv::MORPH_CLOSE, cv::Mat::ones(width + 1, width + 1, CV_8U));
-  cv::Mat labels, stats, centroids;
-  const int count = cv::connectedComponentsWithStats(crowns, labels, stats, centroids, 8);
-  for (int row = 0; row < image.rows; ++row) {
-    for (int col = 0; col < image.cols; ++col) {
-      const int label = labels.at<int>(row, col);
-      if (label == 0 || label >= count) continue;
-      const double area = stats.at<int>(label, cv::CC_STAT_AREA) * image.gsd * image.gsd;
-      if (area < options.least_area) crowns.at<unsigned char>(row, col) = 0;
-    }
-  }
+  drop_roofs(typical, image.gsd, options, &crowns);
   cv::dilate(crowns, crowns, cv::Mat::ones(2 * rim + 1, 2 * rim + 1, CV_8U));
   std::vector<unsigned char> out(image.size(), 0);
   for (int row = 0; row < image.rows; ++row) {
