@@ -22,14 +22,14 @@ struct Line {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
   double offset = 0.0;       ///< metres
   double ratio = std::numeric_limits<double>::infinity();
-  double step_share = 0.0;  ///< of its length inside that follows steps
 };
 
 class RowCutter {
  public:
   RowCutter(const HeightImage& image, const RowCutOptions& options)
-      : image_(image), options_(options), piece_(image.size(), -1), beside_step_(image.size(), 0) {
+      : image_(image), options_(options), piece_(image.size(), -1), at_seam_(image.size(), 0) {
     find_steps();
+    find_valleys();
   }
 
   std::vector<int> run() {
@@ -63,7 +63,6 @@ class RowCutter {
 
   /// Marks the pixels beside which heights jump by more than the roofs' own slopes.
   void find_steps() {
-    cv::Mat steps(image_.rows, image_.cols, CV_8U, cv::Scalar(0));
     const auto inside = [&](int row, int col) {
       return row >= 0 && col >= 0 && row < image_.rows && col < image_.cols &&
              image_.inside[image_.index(row, col)];
@@ -84,15 +83,32 @@ class RowCutter {
             const double slope = z(row + 2 * dr, col + 2 * dc) - z(row + dr, col + dc);
             excess = std::min(excess, std::abs(jump - slope));
           }
-          if (excess <= options_.step) continue;
-          steps.at<unsigned char>(row, col) = 1;
-          steps.at<unsigned char>(row + dr, col + dc) = 1;
+          // A wall that is smeared over two pixels is as even as a roof, but steeper than any.
+          const bool wall = std::abs(jump) > kSteepest * image_.gsd + options_.step;
+          if (excess <= options_.step && !wall) continue;
+          at_seam_[image_.index(row, col)] = 1;
+          at_seam_[image_.index(row + dr, col + dc)] = 1;
         }
       }
     }
-    for (size_t i = 0; i < beside_step_.size(); ++i) {
-      beside_step_[i] = steps.at<unsigned char>(static_cast<int>(i) / image_.cols,
-                                                static_cast<int>(i) % image_.cols);
+  }
+
+  /// Marks the pixels that lie lower than the roofs to both sides.
+  void find_valleys() {
+    const int reach = std::max(1, static_cast<int>(std::lround(kValleyReach / image_.gsd)));
+    constexpr int kDirections[4][2] = {{0, 1}, {1, 0}, {1, 1}, {1, -1}};
+    for (int row = reach; row + reach < image_.rows; ++row) {
+      for (int col = reach; col + reach < image_.cols; ++col) {
+        const size_t i = image_.index(row, col);
+        if (!image_.inside[i]) continue;
+        for (const auto& [dr, dc] : kDirections) {
+          const size_t a = image_.index(row - reach * dr, col - reach * dc);
+          const size_t b = image_.index(row + reach * dr, col + reach * dc);
+          if (!image_.inside[a] || !image_.inside[b]) continue;
+          const float sides = std::min(image_.height[a], image_.height[b]);
+          if (sides - image_.height[i] > options_.step) at_seam_[i] = 1;
+        }
+      }
     }
   }
 
@@ -137,6 +153,12 @@ class RowCutter {
     return pixels;
   }
 
+  double seam_share(const Pixels& pixels) const {
+    const auto seams = std::count_if(pixels.begin(), pixels.end(),
+                                     [this](size_t i) { return at_seam_[i] != 0; });
+    return static_cast<double>(seams) / static_cast<double>(pixels.size());
+  }
+
   double fill_of(const Pixels& pixels) const {
     std::vector<cv::Point2f> points;
     for (const size_t i : pixels) {
@@ -160,7 +182,7 @@ class RowCutter {
     const int num = static_cast<int>((high - low) / bin) + 2;
     const auto bin_of = [&](double t) { return static_cast<int>((t - low) / bin); };
     // Differences along the bins: what the pixel edges that a line crosses add to it.
-    std::vector<double> cost(num + 1, 0.0), length(num + 1, 0.0), stepped(num + 1, 0.0);
+    std::vector<double> cost(num + 1, 0.0);
     std::vector<double> area(num + 1, 0.0);
     // A line of unit length crosses so many pixel edges.
     const double edge = image_.gsd / (std::abs(normal.x()) + std::abs(normal.y()));
@@ -174,30 +196,24 @@ class RowCutter {
         if (piece_[j] != piece_[i]) continue;
         const double other = normal.dot(center_of(j));
         const int from = bin_of(std::min(t, other)) + 1, to = bin_of(std::max(t, other)) + 1;
-        const bool step = beside_step_[i] && beside_step_[j];
+        const bool seam = at_seam_[i] && at_seam_[j];
         const double wall = edge * std::min(over_ground(i), over_ground(j)) *
-                            (step ? options_.step_price : 1.0);
+                            (seam ? options_.seam_price : 1.0);
         cost[from] += wall;
         cost[to] -= wall;
-        length[from] += edge;
-        length[to] -= edge;
-        stepped[from] += step * edge;
-        stepped[to] -= step * edge;
       }
     }
     Line best;
-    double wall = 0.0, metres = 0.0, steps = 0.0, first = 0.0;
+    double wall = 0.0, first = 0.0;
     const double whole = pixels.size() * cell_area();
     for (int k = 1; k < num; ++k) {
       wall += cost[k];
-      metres += length[k];
-      steps += stepped[k];
       first += area[k];
       const double smaller = std::min(first, whole - first);
       if (smaller < options_.least_part) continue;
       const double ratio = wall / smaller;
       if (ratio >= best.ratio) continue;
-      best = {normal, low + k * bin, ratio, metres > 0.0 ? steps / metres : 1.0};
+      best = {normal, low + k * bin, ratio};
     }
     return best;
   }
@@ -213,7 +229,7 @@ class RowCutter {
       if (line.ratio < best.ratio) best = line;
     }
     if (!std::isfinite(best.ratio)) return {};
-    if (best.step_share < kDivides && fill_of(pixels) >= options_.fill) return {};
+    if (seam_share(pixels) <= options_.seams && fill_of(pixels) >= options_.fill) return {};
     Pixels first, second;
     for (const size_t i : pixels) {
       (best.normal.dot(center_of(i)) < best.offset ? first : second).push_back(i);
@@ -264,13 +280,15 @@ class RowCutter {
   }
 
   static constexpr int kUnvisited = -2;
-  // A line of which this share follows steps divides two buildings.
-  static constexpr double kDivides = 0.5;
+  // Slope of the steepest roofs, 60 degrees.
+  static constexpr double kSteepest = 1.73;
+  // How far to either side of a valley roofs are looked at, metres.
+  static constexpr double kValleyReach = 1.5;
 
   const HeightImage& image_;
   const RowCutOptions& options_;
   std::vector<int> piece_;
-  std::vector<unsigned char> beside_step_;
+  std::vector<unsigned char> at_seam_;
   int num_pieces_ = 0;
 };
 
@@ -284,10 +302,11 @@ std::string check(const RowCutOptions& options) {
     return "least_part must lie in [0, 1000] square metres";
   }
   if (!(options.step > 0.0 && options.step <= 10.0)) return "step must lie in (0, 10] m";
-  if (!(options.step_price >= 0.0 && options.step_price <= 1.0)) {
-    return "step_price must lie in [0, 1]";
+  if (!(options.seam_price >= 0.0 && options.seam_price <= 1.0)) {
+    return "seam_price must lie in [0, 1]";
   }
   if (!(options.fill > 0.0 && options.fill <= 1.0)) return "fill must lie in (0, 1]";
+  if (!(options.seams >= 0.0 && options.seams <= 1.0)) return "seams must lie in [0, 1]";
   if (options.directions < 2 || options.directions > 360) return "directions must lie in [2, 360]";
   return "";
 }

@@ -10,17 +10,20 @@ namespace gable {
 /// How rows of houses that hang together are cut into pieces of few blocks.
 struct RowCutOptions {
   /// Pieces of no more than this are left whole, square metres, [20, 1e6].
-  double most_area = 250.0;
+  double most_area = 150.0;
   /// A cut leaves no piece smaller than this, square metres, [0, 1000].
   double least_part = 16.0;
-  /// Heights of two neighbouring pixels that differ by this more than the roofs on either side
-  /// slope are a step, metres, (0, 10].
+  /// Houses of a row meet at seams: where heights of two neighbouring pixels differ by this more
+  /// than the roofs on either side slope, and in valleys this much lower than the roofs to both
+  /// sides, metres, (0, 10].
   double step = 0.5;
-  /// What a wall along a step costs, as a share of one through a roof, [0, 1].
-  double step_price = 0.2;
-  /// Pieces that fill this share of their smallest rectangle and that no step divides are one
-  /// building whatever its size, (0, 1].
+  /// What a wall along a seam costs, as a share of one through a roof, [0, 1].
+  double seam_price = 0.2;
+  /// Pieces that fill this share of their smallest rectangle, (0, 1],
   double fill = 0.85;
+  /// and have no more than this share of their pixels at seams are one building whatever its size,
+  /// [0, 1].
+  double seams = 0.05;
   int directions = 36;  ///< of cuts that are tried, [2, 360]
 };
 
@@ -30,7 +33,7 @@ std::string check(const RowCutOptions& options);
 /// Cuts the inside pixels of an image along straight lines, again and again, until no piece is
 /// larger than `most_area` or looks like one building. Each cut is the line of least ratio of the
 /// wall that would stand there (its length times the height above the terrain of its lower side,
-/// less along steps, where houses of a row meet) to the area of the smaller side: the ratio cut of
+/// less along seams) to the area of the smaller side: the ratio cut of
 /// image segmentation (Wang and Siskind, PAMI 2003) with lines for curves. What a cut leaves in
 /// crumbs goes to the piece that it touches most. Returns the piece of every pixel, -1 outside,
 /// numbered by their first pixels.
