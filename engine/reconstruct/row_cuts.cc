@@ -222,25 +222,33 @@ class RowCutter {
   std::vector<int> cut(int piece) {
     const Pixels pixels = pixels_of(piece);
     if (pixels.size() * cell_area() <= options_.most_area) return {};
-    Line best;
+    if (seam_share(pixels) <= options_.seams && fill_of(pixels) >= options_.fill) return {};
+    std::vector<Line> lines;
     for (int k = 0; k < options_.directions; ++k) {
       const double angle = M_PI * k / options_.directions;
       const Line line = best_line(pixels, {std::cos(angle), std::sin(angle)});
-      if (line.ratio < best.ratio) best = line;
+      if (std::isfinite(line.ratio)) lines.push_back(line);
     }
-    if (!std::isfinite(best.ratio)) return {};
-    if (seam_share(pixels) <= options_.seams && fill_of(pixels) >= options_.fill) return {};
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const Line& a, const Line& b) { return a.ratio < b.ratio; });
+    // A line that only cuts crumbs off, which are given back, cuts nothing.
+    for (const Line& line : lines) {
+      std::vector<int> parts = cut_along(line, pixels);
+      if (parts.size() > 1) return parts;
+    }
+    return {};
+  }
+
+  std::vector<int> cut_along(const Line& line, const Pixels& pixels) {
     Pixels first, second;
     for (const size_t i : pixels) {
-      (best.normal.dot(center_of(i)) < best.offset ? first : second).push_back(i);
+      (line.normal.dot(center_of(i)) < line.offset ? first : second).push_back(i);
     }
     const int other = num_pieces_++;
     for (const size_t i : second) piece_[i] = other;
     std::vector<int> parts = components_of(first);
     for (const int part : components_of(second)) parts.push_back(part);
     give_away_crumbs(&parts);
-    // Where all but one were crumbs nothing was cut.
-    if (parts.size() < 2) return {};
     return parts;
   }
 
