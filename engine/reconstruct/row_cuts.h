@@ -23,7 +23,7 @@ struct RowCutOptions {
   double fill = 0.85;
   /// and have no more than this share of their pixels at seams are one building whatever its size,
   /// [0, 1].
-  double seams = 0.05;
+  double seams = 0.03;
   int directions = 36;  ///< of cuts that are tried, [2, 360]
 };
 

@@ -58,6 +58,28 @@ TEST(FindHouses, ATreeIsNoHouse) {
   EXPECT_EQ(found.crown.at(35, 35), 1);
 }
 
+TEST(FindHouses, RoughPlantOnARoofBelongsToItAndATreeBesideItDoesNot) {
+  HeightRaster dsm = flat_ground();
+  raise(10, 10, 40, 40, 6.0f, &dsm);
+  Random random(5);
+  for (int row = 0; row < dsm.grid.rows; ++row) {
+    for (int col = 0; col < dsm.grid.cols; ++col) {
+      const bool plant = std::hypot(row - 30, col - 30) < 6.0;
+      const bool tree = std::hypot(row - 30, col - 58) < 8.0;
+      if (plant || tree) dsm.at(row, col) = static_cast<float>(random.uniform(26.0, 29.0));
+    }
+  }
+  const FoundHouses found = find_houses(dsm, flat_ground(), {});
+  ASSERT_EQ(found.houses.size(), 1u);
+  EXPECT_EQ(found.label.at(30, 30), 1);
+  EXPECT_EQ(found.crown.at(30, 30), 0);
+  EXPECT_EQ(found.crown.at(30, 60), 1);
+  EXPECT_EQ(found.label.at(30, 60), 0);
+  FindHousesOptions options;
+  options.roof_rim = 1.0;
+  EXPECT_EQ(find_houses(dsm, flat_ground(), options).crown.at(30, 30), 1);
+}
+
 TEST(FindHouses, OnlyHousesNearFootprintsAreKept) {
   HeightRaster dsm = flat_ground();
   raise(10, 10, 16, 20, 5.0f, &dsm);

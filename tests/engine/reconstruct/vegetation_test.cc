@@ -1,3 +1,4 @@
+#include <gable/engine/reconstruct/find_houses.h>
 #include <gable/engine/reconstruct/vegetation.h>
 #include <gable/grammar/synthesis/vegetation.h>
 #include <gtest/gtest.h>
@@ -87,6 +88,22 @@ TEST(Vegetation, NoPixelOfARoofIsMarkedUnderSurveyNoise) {
           << "seed " << seed;
     }
   }
+}
+
+TEST(Vegetation, NarrowSteepRoofsAreNoCrownsThoughEveryNeighbourhoodHoldsARidge) {
+  VegetationOptions options = vegetation_at({}, 1.0);
+  int rough = 0;
+  for (const double azimuth : {0.0, 0.3, 0.6}) {
+    for (const double width : {5.0, 6.0, 7.0}) {
+      const House house = box_house(14.0, width, gable_roof(4.5, 0.7 * width, Axis::kX), azimuth);
+      options.least_contrast = 1.33;
+      EXPECT_EQ(count(find_vegetation(image_of(house, {.gsd = 1.0, .size = 40}), options)), 0)
+          << azimuth << ' ' << width;
+      options.least_contrast = 1.0;
+      rough += count(find_vegetation(image_of(house, {.gsd = 1.0, .size = 40}), options));
+    }
+  }
+  EXPECT_GT(rough, 0);  // they are rough: only how much tells them from crowns
 }
 
 TEST(Vegetation, SetAsideMakesBareGroundOfLittleWeight) {

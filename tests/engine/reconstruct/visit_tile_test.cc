@@ -25,10 +25,12 @@ class VisitTile : public testing::Test {
   struct Visited {
     std::vector<std::string> ids;
     std::vector<long> cells;
+    std::vector<char> of_row;
     std::vector<size_t> of_window;  ///< buildings
   };
 
-  Visited visit(const std::vector<int>& skipped = {}, int window_cells = 200) const {
+  Visited visit(const std::vector<int>& skipped = {}, int window_cells = 200,
+                bool cut_rows = true) const {
     const Crs crs = crs_from_text("EPSG:27700");
     write_raster(folder_.path("dsm.tif"), dsm_, crs);
     write_raster(folder_.path("dtm.tif"), HeightRaster(dsm_.grid, 0.0f), crs);
@@ -36,6 +38,7 @@ class VisitTile : public testing::Test {
     TileOptions options;
     options.window_cells = window_cells;
     options.overlap = 20.0;
+    options.cut_rows = cut_rows;
     Visited visited;
     TileCallbacks callbacks;
     callbacks.wants_window = [&](const TileWindow& window) {
@@ -43,6 +46,7 @@ class VisitTile : public testing::Test {
     };
     callbacks.deliver = [&](TileBuilding&& made) {
       visited.ids.push_back(made.building.id);
+      visited.of_row.push_back(made.of_row);
       visited.cells.push_back(std::count_if(made.image.inside.begin(), made.image.inside.end(),
                                             [](auto inside) { return inside != 0; }));
     };
@@ -82,11 +86,35 @@ TEST_F(VisitTile, WindowsThatAreLeftOutChangeNothingInTheOthers) {
   EXPECT_EQ(ids, all.ids);
 }
 
+TEST_F(VisitTile, ARowIsCutIntoItsHousesUnlessLeftWhole) {
+  add_slab({40, 20, 60, 40}, 5.0f);
+  add_slab({40, 40, 60, 60}, 7.0f);
+  add_slab({40, 60, 60, 80}, 5.0f);
+  add_slab({20, 100, 40, 130}, 5.0f);
+  const Visited cut = visit();
+  EXPECT_EQ(cut.cells, (std::vector<long>{600, 400, 400, 400}));
+  EXPECT_EQ(cut.of_row, (std::vector<char>{0, 1, 1, 1}));
+  EXPECT_EQ(cut.ids, (std::vector<std::string>{"b4000575_1999850", "b4000150_1999750",
+                                               "b4000250_1999750", "b4000350_1999750"}));
+  const Visited whole = visit({}, 200, false);
+  EXPECT_EQ(whole.cells, (std::vector<long>{600, 1200}));
+  EXPECT_EQ(whole.of_row, (std::vector<char>{0, 0}));
+}
+
+TEST_F(VisitTile, PiecesOfARowDoNotDependOnTheWindowsThatSeeAllOfIt) {
+  for (int k = 0; k < 5; ++k) add_slab({40, 150 + 20 * k, 60, 170 + 20 * k}, k % 2 ? 7.0f : 5.0f);
+  const Visited one = visit({}, 2048), many = visit({}, 210);
+  EXPECT_GT(one.ids.size(), 2u);
+  EXPECT_EQ(many.ids, one.ids);
+  EXPECT_EQ(many.cells, one.cells);
+}
+
 TEST_F(VisitTile, HousesWithOneCentreHaveIdsOfTheirOwn) {
   add_slab({20, 20, 80, 80});
   add_slab({30, 30, 70, 70}, 0.0f);
   add_slab({40, 40, 60, 60});
-  EXPECT_EQ(visit().ids, (std::vector<std::string>{"b4000250_1999750", "b4000250_1999750-2"}));
+  EXPECT_EQ(visit({}, 200, false).ids,
+            (std::vector<std::string>{"b4000250_1999750", "b4000250_1999750-2"}));
 }
 
 TEST_F(VisitTile, IdsAreFineEnoughForSmallCells) {
