@@ -69,7 +69,10 @@ std::optional<std::vector<Solid>> build_part(const BlockAlignment& alignment,
     const bool move_below = attempt > kNumAttempts / 2;
     std::vector<PartBlock> own, below;
     std::optional<OutlineCover> cover;
-    if (outline) cover.emplace(OutlineCover{*outline, {}});
+    if (outline) {
+      const PlanPolygon aligned = alignment.outline(outline->polygon, shake_of_attempt(attempt));
+      cover.emplace(OutlineCover{{aligned, outline->reach}, {}});
+    }
     for (int i = 0; i < static_cast<int>(sources.size()); ++i) {
       if (!alignment.has_area(i)) continue;
       const bool ground = !stands_on_roof(sources[i].role);
