@@ -40,12 +40,13 @@ BuildingCandidate extruded_outline(const std::string& id, const HeightImage& ima
 }
 
 BuildingCandidate chosen_house(const std::string& id, const HeightImage& image,
-                               const HouseChoice& choice, const PlanPolygon* outline) {
+                               const HouseChoice& choice, const PlanPolygon* outline,
+                               double farthest) {
   BuildingCandidate house;
   house.building.id = id;
   house.building.house = choice.best.house;
   house.building.deviations = choice.summary.deviations;
-  if (outline) house.building.walls = known_walls(*outline, image, house.building);
+  if (outline) house.building.walls = known_walls(*outline, image, house.building, farthest);
   house.fit = fit_of_building(image, house.building);
   set_fit(house.fit, &house.building);
   return house;

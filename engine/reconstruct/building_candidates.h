@@ -22,10 +22,12 @@ struct BuildingCandidate {
 BuildingCandidate extruded_outline(const std::string& id, const HeightImage& image,
                                    PlanPolygon outline);
 
-/// The house that was chosen, with the walls that a known outline gives it (known_walls.h).
-/// outline: local frame of the image, or null where none is known.
+/// The house that was chosen, with the walls that a known outline gives it (known_walls.h; the
+/// house should be no farther from the heights than `farthest`, metres). outline: local frame of
+/// the image, or null where none is known.
 BuildingCandidate chosen_house(const std::string& id, const HeightImage& image,
-                               const HouseChoice& choice, const PlanPolygon* outline);
+                               const HouseChoice& choice, const PlanPolygon* outline,
+                               double farthest);
 
 /// Builds the solids of a house. Where walls from an outline leave it without valid ones, it goes
 /// back to its own rectangles. Returns why they cannot be used even so (see `defect_of`), or "".

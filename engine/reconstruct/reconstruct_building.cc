@@ -60,8 +60,9 @@ class Verdict {
     choice_ = choose_house(image_, choice_options, first_values(image_, options_, detect));
     if (!choice_.found) return planes_or_extrusion("no house of the grammar explains the heights");
 
-    BuildingCandidate house = chosen_house(id_, image_, choice_, outline_);
-    if (house.fit.charge > extrusion_.fit.charge + options_.extrusion_margin) {
+    const double farthest = extrusion_.fit.charge + options_.extrusion_margin;
+    BuildingCandidate house = chosen_house(id_, image_, choice_, outline_, farthest);
+    if (house.fit.charge > farthest) {
       return planes_or_extrusion("the best house of the grammar is " + metres(house.fit.charge) +
                                  " from the heights on average, the extruded outline " +
                                  metres(extrusion_.fit.charge));
