@@ -22,4 +22,10 @@ bool ring_holds(const Ring& ring, const Eigen::Vector2d& p) {
   return inside;
 }
 
+bool rings_hold(std::span<const Ring> rings, const Eigen::Vector2d& point) {
+  bool inside = false;
+  for (const Ring& ring : rings) inside = inside != ring_holds(ring, point);
+  return inside;
+}
+
 }  // namespace gable

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace gable {
@@ -13,5 +14,8 @@ double signed_area(const Ring& ring);
 
 /// Even-odd rule for a point that lies on no edge.
 bool ring_holds(const Ring& ring, const Eigen::Vector2d& point);
+
+/// Even-odd rule over several rings for a point that lies on no edge of them.
+bool rings_hold(std::span<const Ring> rings, const Eigen::Vector2d& point);
 
 }  // namespace gable

@@ -65,11 +65,7 @@ class Closing {
           const ClosingOptions& options)
       : outline_(outline), base_(base), options_(options) {
     for (const HeightSample& sample : samples) {
-      bool inside = ring_holds(outline.outer, sample.point.head<2>());
-      for (const Ring& hole : outline.holes) {
-        inside = inside != ring_holds(hole, sample.point.head<2>());
-      }
-      if (inside) samples_.push_back(sample);
+      if (polygon_holds(outline, sample.point.head<2>())) samples_.push_back(sample);
     }
     std::vector<double> heights;
     for (const HeightSample& sample : samples_) heights.push_back(sample.point.z());

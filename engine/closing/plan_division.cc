@@ -48,11 +48,7 @@ PlanDivision::Sides PlanDivision::sides_of(const Eigen::Vector2d& p) const {
   return sides;
 }
 
-bool PlanDivision::holds(const Eigen::Vector2d& p) const {
-  bool inside = false;
-  for (const Ring& ring : outline_) inside = inside != ring_holds(ring, p);
-  return inside;
-}
+bool PlanDivision::holds(const Eigen::Vector2d& p) const { return rings_hold(outline_, p); }
 
 std::optional<PlanDivision> PlanDivision::make(const PlanPolygon& outline,
                                                const std::vector<PlanLine>& lines) {
@@ -131,9 +127,7 @@ int PlanDivision::cell_at(const Eigen::Vector2d& p) const {
   if (found == cells_of_sides_.end()) return -1;
   if (found->second.size() == 1) return found->second.front();
   for (const int cell : found->second) {
-    bool inside = false;
-    for (const Ring& ring : cells_[cell]) inside = inside != ring_holds(ring, p);
-    if (inside) return cell;
+    if (rings_hold(cells_[cell], p)) return cell;
   }
   return -1;
 }

@@ -31,7 +31,7 @@ void add_roof(const RoofPartition& roof, double base, BuildingModel* model) {
 
 }  // namespace
 
-BuildingModel build_model(const Building& building) {
+BuildingModel build_model(const Building& building, std::span<const Lod> lods) {
   BuildingModel model;
   if (!building.house) {
     model.origin = building.origin;
@@ -45,7 +45,7 @@ BuildingModel build_model(const Building& building) {
     return model;
   }
   model.origin = building.house->origin;
-  for (const Lod lod : {Lod::k12, Lod::k20, Lod::k22}) {
+  for (const Lod lod : lods) {
     HouseSolids solids = build_house_solids(*building.house, lod, building.base, building.walls);
     std::map<std::pair<PartRole, int>, int> pieces;
     for (HousePart& part : solids.parts) {

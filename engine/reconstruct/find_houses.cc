@@ -178,14 +178,6 @@ std::string check(const FindHousesOptions& options) {
   return "";
 }
 
-VegetationOptions vegetation_at(const VegetationOptions& options, double gsd) {
-  VegetationOptions scaled = options;
-  const double scale = std::max(1.0, gsd / 0.5);
-  scaled.roughness *= scale;
-  scaled.least_width *= scale;
-  return scaled;
-}
-
 void CellBox::add(int row, int col) {
   if (empty()) {
     *this = {row, col, row + 1, col + 1};

@@ -25,10 +25,6 @@ struct FindHousesOptions {
 /// Empty if the options are in range; otherwise names the violated bound.
 std::string check(const FindHousesOptions& options);
 
-/// The options for cells of `gsd` metres. Those given are meant for 0.5 m: coarser cells take more
-/// of a roof's shape into one neighbourhood, so roughness and widths grow with them.
-VegetationOptions vegetation_at(const VegetationOptions& options, double gsd);
-
 /// Cells [row0, row1) x [col0, col1) of a grid.
 struct CellBox {
   int row0 = 0, col0 = 0, row1 = 0, col1 = 0;

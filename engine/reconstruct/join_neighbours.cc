@@ -1,6 +1,7 @@
 #include <gable/engine/io/build_model.h>
 #include <gable/engine/reconstruct/building_fit.h>
 #include <gable/engine/reconstruct/join_neighbours.h>
+#include <gable/engine/reconstruct/known_walls.h>
 #include <gable/engine/reconstruct/model_defect.h>
 #include <gable/engine/reconstruct/neighbour_groups.h>
 #include <gable/engine/reconstruct/ordered_pool.h>
@@ -170,6 +171,9 @@ class Group {
     made.building = *fitted_[i].building;
     made.building.house = house;
     made.building.deviations = deviations_from_heights(image, stage, house);
+    // The house has moved under its walls.
+    const PlanPolygon walls = made.building.walls.polygon;
+    if (!walls.outer.empty()) made.building.walls = known_walls(walls, image, made.building);
     set_fit(fit_of_building(image, made.building), &made.building);
     made.model = build_model(made.building);
     if (!defect_of(made.model).empty()) return std::nullopt;

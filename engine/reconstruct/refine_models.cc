@@ -2,6 +2,7 @@
 #include <gable/engine/io/building_plan.h>
 #include <gable/engine/reconstruct/fill.h>
 #include <gable/engine/reconstruct/ordered_pool.h>
+#include <gable/engine/reconstruct/refine_building.h>
 #include <gable/engine/reconstruct/refine_models.h>
 #include <gable/engine/reconstruct/tile_windows.h>
 #include <gable/grammar/polygon_cells.h>

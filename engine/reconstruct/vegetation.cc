@@ -58,6 +58,14 @@ void drop_roofs(const cv::Mat& roughness, double gsd, const VegetationOptions& o
 
 }  // namespace
 
+VegetationOptions vegetation_at(const VegetationOptions& options, double gsd) {
+  VegetationOptions scaled = options;
+  const double scale = std::max(1.0, gsd / 0.5);
+  scaled.roughness *= scale;
+  scaled.least_width *= scale;
+  return scaled;
+}
+
 std::vector<unsigned char> find_vegetation(const HeightImage& image,
                                            const VegetationOptions& options) {
   const int step = std::max(1, static_cast<int>(std::lround(0.5 / image.gsd)));

@@ -18,6 +18,10 @@ struct VegetationOptions {
   double rim = 0.5;           ///< width of the rim that is added to crowns, metres
 };
 
+/// The options for cells of `gsd` metres. Those given are meant for 0.5 m: coarser cells take more
+/// of a roof's shape into one neighbourhood, so roughness and widths grow with them.
+VegetationOptions vegetation_at(const VegetationOptions& options, double gsd);
+
 /// Marks (1) the pixels of tree crowns: those that lie in no smooth 3 x 3 neighbourhood. Each of
 /// the nine neighbourhoods that hold a pixel (cells about 0.5 m apart) is fitted with a plane; on
 /// roofs, also beside walls and ridges, one of them is smooth, in a crown of first returns none is.

@@ -11,6 +11,19 @@ constexpr double kSameCoordinate = 0.02;
 constexpr double kSameHeight = 0.01;
 constexpr double kLeastRun = 0.05;
 
+// The position of the level nearest to a value and within reach, or -1.
+template <typename Level>
+int nearest_level(double value, double reach, const std::vector<Level>& levels) {
+  int nearest = -1;
+  for (size_t i = 0; i < levels.size(); ++i) {
+    const double distance = std::abs(levels[i].value - value);
+    if (distance < reach && (nearest < 0 || distance < std::abs(levels[nearest].value - value))) {
+      nearest = static_cast<int>(i);
+    }
+  }
+  return nearest;
+}
+
 // Hips and ridges too short to build vanish.
 void tidy_hips(Block<double>* block) {
   using namespace block_value;
@@ -39,14 +52,7 @@ void tidy_break(Block<double>* block) {
 }  // namespace
 
 int BlockAlignment::level_at(double value, double tolerance, std::vector<Level>* levels) {
-  int nearest = -1;
-  for (size_t i = 0; i < levels->size(); ++i) {
-    const double distance = std::abs((*levels)[i].value - value);
-    if (distance < tolerance &&
-        (nearest < 0 || distance < std::abs((*levels)[nearest].value - value))) {
-      nearest = static_cast<int>(i);
-    }
-  }
+  const int nearest = nearest_level(value, tolerance, *levels);
   if (nearest >= 0) return nearest;
   levels->push_back({value});
   return static_cast<int>(levels->size()) - 1;
@@ -156,6 +162,25 @@ std::vector<Block<double>> BlockAlignment::blocks(const Shake& shake) const {
     block[kRise] = heights[aligned.ridge] - heights[aligned.eaves];
   }
   return blocks;
+}
+
+PlanPolygon BlockAlignment::outline(PlanPolygon polygon, const Shake& shake) const {
+  const std::vector<double> x = shaken(x_, shake, 0);
+  const std::vector<double> y = shaken(y_, shake, 1);
+  const auto align = [](const std::vector<Level>& levels, const std::vector<double>& values,
+                        double* coordinate) {
+    const int level = nearest_level(*coordinate, kSameCoordinate, levels);
+    if (level >= 0) *coordinate = values[level];
+  };
+  const auto align_ring = [&](std::vector<Eigen::Vector2d>* ring) {
+    for (Eigen::Vector2d& p : *ring) {
+      align(x_, x, &p.x());
+      align(y_, y, &p.y());
+    }
+  };
+  align_ring(&polygon.outer);
+  for (auto& hole : polygon.holes) align_ring(&hole);
+  return polygon;
 }
 
 }  // namespace gable

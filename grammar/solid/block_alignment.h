@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gable/grammar/block.h>
+#include <gable/grammar/solid/extrusion.h>
 
 #include <vector>
 
@@ -37,6 +38,10 @@ class BlockAlignment {
 
   /// The aligned blocks, moved by `shake`. Deterministic.
   std::vector<Block<double>> blocks(const Shake& shake = {}) const;
+
+  /// An outline in the frame of the blocks: coordinates within 2 cm of an edge or ridge take its
+  /// value, and move with it where coincident edges move together.
+  PlanPolygon outline(PlanPolygon polygon, const Shake& shake = {}) const;
 
  private:
   // A coordinate shared by edges; ridges and breaks stand at a share of the way between two earlier

@@ -2,7 +2,6 @@
 #include <gable/grammar/ring.h>
 #include <gable/grammar/solid/extrusion.h>
 #include <gable/grammar/solid/part_solids.h>
-#include <gable/grammar/solid/plan_cells.h>
 #include <gable/grammar/solid/validity.h>
 
 #include <algorithm>
@@ -48,9 +47,7 @@ Ring moved(const Ring& ring, double spacing, double amplitude, Random* random) {
 }  // namespace
 
 bool polygon_holds(const PlanPolygon& polygon, const Eigen::Vector2d& point) {
-  bool inside = ring_holds(polygon.outer, point);
-  for (const Ring& hole : polygon.holes) inside ^= ring_holds(hole, point);
-  return inside;
+  return ring_holds(polygon.outer, point) != rings_hold(polygon.holes, point);
 }
 
 Solid extrude(const PlanPolygon& polygon, double base, double top) {
@@ -66,13 +63,11 @@ Solid extrude(const PlanPolygon& polygon, double base, double top) {
     std::vector<PlanSegment> segments;
     for (const Ring& ring : rings) {
       const Ring r = moved(ring, spacing, amplitude, &random);
-      for (size_t i = 0; i < r.size(); ++i) segments.push_back({r[i], r[(i + 1) % r.size()]});
+      append_ring(r, &segments);
       if (r.size() >= 3) moved_rings.push_back(r);
     }
     const auto label = [&moved_rings](const Eigen::Vector2d& p) {
-      bool inside = false;
-      for (const Ring& ring : moved_rings) inside = inside != ring_contains(ring, p);
-      return inside ? CellLabel{1, 0} : CellLabel{};
+      return rings_hold(moved_rings, p) ? CellLabel{1, 0} : CellLabel{};
     };
     std::optional<std::vector<Solid>> solids =
         solids_over_plan(segments, label, planes, kLeastVolume);

@@ -1,10 +1,10 @@
 #include <gable/grammar/block.h>
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/block_alignment.h>
+#include <gable/grammar/solid/house_frame.h>
 #include <gable/grammar/solid/house_solids.h>
 #include <gable/grammar/solid/part_solids.h>
-#include <gable/grammar/solid/plan_cells.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -69,7 +69,10 @@ std::optional<std::vector<Solid>> build_part(const BlockAlignment& alignment,
     const bool move_below = attempt > kNumAttempts / 2;
     std::vector<PartBlock> own, below;
     std::optional<OutlineCover> cover;
-    if (outline) cover.emplace(OutlineCover{*outline, {}});
+    if (outline) {
+      const PlanPolygon aligned = alignment.outline(outline->polygon, shake_of_attempt(attempt));
+      cover.emplace(OutlineCover{{aligned, outline->reach}, {}});
+    }
     for (int i = 0; i < static_cast<int>(sources.size()); ++i) {
       if (!alignment.has_area(i)) continue;
       const bool ground = !stands_on_roof(sources[i].role);
@@ -94,7 +97,7 @@ bool stands_over(const Solid& solid, const Eigen::Vector2d& p) {
     for (const std::vector<int>& ring : face.rings) {
       std::vector<Eigen::Vector2d> points;
       for (const int v : ring) points.push_back(solid.vertices[v].head<2>());
-      inside += ring_contains(points, p);
+      inside += ring_holds(points, p);
     }
     if (inside == 1) return true;
   }
@@ -117,22 +120,6 @@ void sort_bodies(const std::vector<Block<double>>& components, std::vector<Solid
   std::vector<Solid> sorted;
   for (const auto& [first, b] : order) sorted.push_back(std::move((*bodies)[b]));
   *bodies = std::move(sorted);
-}
-
-void turn_to_local(double azimuth, Solid* solid) {
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
-  for (Eigen::Vector3d& p : solid->vertices) {
-    p = Eigen::Vector3d(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
-  }
-}
-
-PlanPolygon turned_to_house(PlanPolygon polygon, double azimuth) {
-  const Eigen::Rotation2Dd house_from_local(-azimuth);
-  for (Eigen::Vector2d& p : polygon.outer) p = house_from_local * p;
-  for (auto& hole : polygon.holes) {
-    for (Eigen::Vector2d& p : hole) p = house_from_local * p;
-  }
-  return polygon;
 }
 
 std::vector<PartBlocks> parts_of(const std::vector<BlockSource>& sources, Lod lod) {
@@ -170,7 +157,7 @@ HouseSolids build_house_solids(const House& house, Lod lod, double base,
     for (Block<double>& block : blocks) flatten(&block);
   }
   const BlockAlignment alignment(blocks, base);
-  const KnownOutline turned{turned_to_house(outline.polygon, house.azimuth[0]), outline.reach};
+  const KnownOutline turned{house_from_local(outline.polygon, house.azimuth[0]), outline.reach};
   const KnownOutline* cover = outline.empty() ? nullptr : &turned;
   const std::vector<BlockSource> sources = block_sources(house);
   for (const PartBlocks& part : parts_of(sources, lod)) {

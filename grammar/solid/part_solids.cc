@@ -71,23 +71,17 @@ int envelope_plane(const std::vector<ReachingBlock>& blocks, double margin,
   return best;
 }
 
-void add_ring(const std::vector<Eigen::Vector2d>& ring, std::vector<PlanSegment>* segments) {
-  for (size_t i = 0; i < ring.size(); ++i) {
-    segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
-  }
-}
-
 // Where what covers the plan can change with an outline: the outline, and the blocks' rectangles
 // with every margin.
 void add_cover(const OutlineCover& cover, std::vector<PlanSegment>* segments) {
   using namespace block_value;
-  add_ring(cover.outline.polygon.outer, segments);
-  for (const auto& hole : cover.outline.polygon.holes) add_ring(hole, segments);
+  append_ring(cover.outline.polygon.outer, segments);
+  append_rings(cover.outline.polygon.holes, segments);
   for (const double m : kOutlineMargins) {
     if (m > cover.outline.reach) break;
     for (const Block<double>& b : cover.ground_blocks) {
       const double x0 = b[kX0] - m, x1 = b[kX1] + m, y0 = b[kY0] - m, y1 = b[kY1] + m;
-      add_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, segments);
+      append_ring({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, segments);
     }
   }
 }

@@ -1,3 +1,4 @@
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/plan_cells.h>
 
 #include <algorithm>
@@ -95,9 +96,9 @@ int cell_round(const PlanGraph& graph, const CellLabel& label, const std::vector
       return std::find(outer.begin(), outer.end(), v) == outer.end();
     });
     const std::vector<Eigen::Vector2d> points = points_of(graph, outer);
-    const double area = twice_area(points);
+    const double area = signed_area(points);
     if (apart == hole.end() || area >= best_area) continue;
-    if (!ring_contains(points, graph.vertices[*apart])) continue;
+    if (!ring_holds(points, graph.vertices[*apart])) continue;
     best = static_cast<int>(c);
     best_area = area;
   }
@@ -105,27 +106,6 @@ int cell_round(const PlanGraph& graph, const CellLabel& label, const std::vector
 }
 
 }  // namespace
-
-bool ring_contains(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p) {
-  bool inside = false;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d& a = ring[i];
-    const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
-    if ((a.y() > p.y()) == (b.y() > p.y())) continue;
-    if (p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) inside = !inside;
-  }
-  return inside;
-}
-
-double twice_area(const std::vector<Eigen::Vector2d>& ring) {
-  double sum = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Eigen::Vector2d a = ring[i] - ring[0];
-    const Eigen::Vector2d b = ring[(i + 1) % ring.size()] - ring[0];
-    sum += a.x() * b.y() - a.y() * b.x();
-  }
-  return sum;
-}
 
 bool trace_cells(PlanGraph* graph) {
   const HalfEdges half_edges(*graph);
@@ -144,7 +124,7 @@ bool trace_cells(PlanGraph* graph) {
     append_simple_loops(half_edges, walk, &loops);
     for (const Loop& loop : loops) {
       std::vector<int> ring = ring_of(half_edges, loop);
-      if (twice_area(points_of(*graph, ring)) < 0.0) {
+      if (signed_area(points_of(*graph, ring)) < 0.0) {
         holes.push_back(loop);
         continue;
       }

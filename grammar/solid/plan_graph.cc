@@ -139,6 +139,16 @@ void append_edge(const PlanEdge& edge, const std::vector<Plane>& planes, PlanGra
 
 }  // namespace
 
+void append_ring(const Ring& ring, std::vector<PlanSegment>* segments) {
+  for (size_t i = 0; i < ring.size(); ++i) {
+    segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
+  }
+}
+
+void append_rings(std::span<const Ring> rings, std::vector<PlanSegment>* segments) {
+  for (const Ring& ring : rings) append_ring(ring, segments);
+}
+
 std::optional<PlanGraph> divide_plan(const std::vector<PlanSegment>& segments,
                                      const LabelFunction& label, const std::vector<Plane>& planes) {
   const std::vector<PlanSegment> lines = distinct_segments(segments);

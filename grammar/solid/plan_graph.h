@@ -1,10 +1,12 @@
 #pragma once
 
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/plane.h>
 
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace gable {
@@ -23,6 +25,12 @@ struct CellLabel {
   bool empty() const { return upper < 0; }
   bool operator==(const CellLabel&) const = default;
 };
+
+/// Adds the edges of a closed ring.
+void append_ring(const Ring& ring, std::vector<PlanSegment>* segments);
+
+/// Adds the edges of several closed rings, such as the holes of a polygon.
+void append_rings(std::span<const Ring> rings, std::vector<PlanSegment>* segments);
 
 using LabelFunction = std::function<CellLabel(const Eigen::Vector2d&)>;
 

@@ -11,12 +11,6 @@ namespace {
 constexpr double kLeastVolume = 1e-3;
 constexpr double kLeastHeight = 1e-3;
 
-void append_ring(const Ring& ring, std::vector<PlanSegment>* segments) {
-  for (size_t i = 0; i < ring.size(); ++i) {
-    segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
-  }
-}
-
 bool stands_above(const RoofPartition& partition, double base) {
   for (const RoofRegion& region : partition.regions) {
     for (const Eigen::Vector2d& p : region.polygon.outer) {
@@ -68,7 +62,7 @@ std::optional<std::vector<Solid>> solids_of_partition(const RoofPartition& parti
   std::vector<PlanSegment> segments;
   for (const RoofRegion& region : partition.regions) {
     append_ring(region.polygon.outer, &segments);
-    for (const auto& hole : region.polygon.holes) append_ring(hole, &segments);
+    append_rings(region.polygon.holes, &segments);
   }
   const auto label = [&partition](const Eigen::Vector2d& p) {
     const int region = region_at(partition, p);

@@ -1,4 +1,5 @@
 #include <gable/grammar/solid/block_alignment.h>
+#include <gable/grammar/solid/house_frame.h>
 #include <gable/grammar/solid/part_solids.h>
 #include <gable/grammar/solid/roof_slabs.h>
 #include <gable/grammar/solid/slab_plan.h>
@@ -142,25 +143,6 @@ std::optional<std::vector<Solid>> build_slabs(const House& house, double base,
   return std::nullopt;
 }
 
-void turn(double azimuth, Solid* solid) {
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
-  for (Eigen::Vector3d& p : solid->vertices) {
-    p = Eigen::Vector3d(c * p.x() - s * p.y(), s * p.x() + c * p.y(), p.z());
-  }
-}
-
-std::vector<PlanPolygon> in_house_frame(std::vector<PlanPolygon> polygons, double azimuth) {
-  const double c = std::cos(azimuth), s = std::sin(azimuth);
-  const auto turn_back = [c, s](std::vector<Eigen::Vector2d>* ring) {
-    for (Eigen::Vector2d& p : *ring) p = {c * p.x() + s * p.y(), c * p.y() - s * p.x()};
-  };
-  for (PlanPolygon& polygon : polygons) {
-    turn_back(&polygon.outer);
-    for (auto& hole : polygon.holes) turn_back(&hole);
-  }
-  return polygons;
-}
-
 }  // namespace
 
 std::string check(const RoofSlabOptions& options) {
@@ -181,7 +163,10 @@ HouseSolids build_roof_slabs(const House& house, double base, const RoofSlabOpti
   const HouseSolids whole = build_house_solids(house, Lod::k22, base);
   if (whole.parts.empty()) return result;
   const VisibleHouse visible = visible_house(house, whole.parts);
-  const std::vector<PlanPolygon> next_door = in_house_frame(neighbours, house.azimuth[0]);
+  std::vector<PlanPolygon> next_door;
+  for (const PlanPolygon& neighbour : neighbours) {
+    next_door.push_back(house_from_local(neighbour, house.azimuth[0]));
+  }
   for (const bool with_dormers : {true, false}) {
     if (!with_dormers && visible.dormers.empty()) break;
     std::optional<std::vector<Solid>> slabs =
@@ -198,7 +183,7 @@ HouseSolids build_roof_slabs(const House& house, double base, const RoofSlabOpti
       result.parts.push_back(std::move(part));
     }
     for (size_t i = 0; i < slabs->size(); ++i) {
-      turn(house.azimuth[0], &(*slabs)[i]);
+      turn_to_local(house.azimuth[0], &(*slabs)[i]);
       result.parts.push_back({PartRole::kRoofSlab, static_cast<int>(i), std::move((*slabs)[i])});
     }
     if (!with_dormers) result.dropped.push_back("roof slabs of the dormers: no valid solid");

@@ -21,12 +21,6 @@ FacetedBlock level_region(const Eigen::Vector2d& low, const Eigen::Vector2d& hig
   return {low, high, {{plane, {low, {high.x(), low.y()}, high, {low.x(), high.y()}}}}};
 }
 
-void append_outline(const std::vector<Eigen::Vector2d>& ring, std::vector<PlanSegment>* segments) {
-  for (size_t i = 0; i < ring.size(); ++i) {
-    segments->push_back({ring[i], ring[(i + 1) % ring.size()]});
-  }
-}
-
 }  // namespace
 
 SlabPlan::SlabPlan(const std::vector<SlabBlock>& blocks, double overhang, double thickness,
@@ -156,7 +150,7 @@ void SlabPlan::collect_segments() {
   segments_ = envelope_segments(tops, planes_, low_, high_);
   for (size_t i = 0; i < roofs_.size(); ++i) {
     const FacetedBlock& body = roofs_[i].body;
-    append_outline(level_region(body.low, body.high, 0).facets[0].outline, &segments_);
+    append_ring(level_region(body.low, body.high, 0).facets[0].outline, &segments_);
     if (!blocks_[i].has_slab) continue;
     append_meeting_lines(roofs_[i].underside, ground, planes_, low_, high_, &segments_);
     for (size_t j = 0; j < roofs_.size(); ++j) {
@@ -167,8 +161,8 @@ void SlabPlan::collect_segments() {
   }
   collect_ends_at_walls();
   for (const PlanPolygon& neighbour : neighbours_) {
-    append_outline(neighbour.outer, &segments_);
-    for (const auto& hole : neighbour.holes) append_outline(hole, &segments_);
+    append_ring(neighbour.outer, &segments_);
+    append_rings(neighbour.holes, &segments_);
   }
 }
 
@@ -183,8 +177,8 @@ void SlabPlan::collect_ends_at_walls() {
     for (size_t j = 0; j < roofs_.size(); ++j) {
       if (j == i || !blocks_[j].has_slab || blocks_[j].on_roof) continue;
       append_meeting_lines(own, roofs_[j].top, planes_, low_, high_, &lines);
-      append_outline(level_region(roofs_[j].body.low, roofs_[j].body.high, 0).facets[0].outline,
-                     &lines);
+      append_ring(level_region(roofs_[j].body.low, roofs_[j].body.high, 0).facets[0].outline,
+                  &lines);
     }
     for (int axis = 0; axis < 2; ++axis) {  // across the walls that run along the other axis
       for (const bool at_high : {false, true}) {

@@ -1,4 +1,4 @@
-#include <gable/grammar/solid/plan_cells.h>
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/validity.h>
 
 #include <Eigen/Eigenvalues>
@@ -115,11 +115,11 @@ void check_face(const Solid& solid, const Face& face, const ValidityTolerance& t
     }
   }
   if (any_crossing(rings)) ++validity->crossing_rings;
-  if (twice_area(rings[0]) <= 0.0) ++validity->misplaced_holes;
+  if (signed_area(rings[0]) <= 0.0) ++validity->misplaced_holes;
   for (size_t i = 1; i < rings.size(); ++i) {
-    bool fits = twice_area(rings[i]) < 0.0 && ring_contains(rings[0], rings[i][0]);
+    bool fits = signed_area(rings[i]) < 0.0 && ring_holds(rings[0], rings[i][0]);
     for (size_t j = 1; j < rings.size(); ++j) {
-      fits = fits && (i == j || !ring_contains(rings[j], rings[i][0]));
+      fits = fits && (i == j || !ring_holds(rings[j], rings[i][0]));
     }
     if (!fits) ++validity->misplaced_holes;
   }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace gable {
 namespace {
@@ -31,6 +32,18 @@ TEST(Ring, HoldsThePointsWithinItAndNotThoseInItsNotch) {
   EXPECT_FALSE(ring_holds(notched, {2.0, 2.0}));
   EXPECT_FALSE(ring_holds(notched, {5.0, 1.5}));
   EXPECT_FALSE(ring_holds({}, {0.0, 0.0}));
+}
+
+TEST(Ring, SeveralRingsHoldWhatAnOddNumberOfThemHolds) {
+  const auto square = [](double half) {
+    return Ring{{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+  };
+  const std::vector<Ring> nested = {square(3.0), square(2.0), square(1.0)};
+  EXPECT_TRUE(rings_hold(nested, {0.0, 0.0}));
+  EXPECT_FALSE(rings_hold(nested, {1.5, 0.0}));
+  EXPECT_TRUE(rings_hold(nested, {0.0, 2.5}));
+  EXPECT_FALSE(rings_hold(nested, {4.0, 0.0}));
+  EXPECT_FALSE(rings_hold({}, {0.0, 0.0}));
 }
 
 }  // namespace

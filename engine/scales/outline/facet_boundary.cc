@@ -37,18 +37,6 @@ std::optional<std::map<int, int>> boundary_of(const std::vector<Ring>& polygons,
   return next;
 }
 
-bool contains(const Ring& ring, const Eigen::Vector2d& p) {
-  bool in = false;
-  for (size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const Eigen::Vector2d &a = ring[i], &b = ring[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
-      in = !in;
-    }
-  }
-  return in;
-}
-
 /// Without corners on straight edges.
 Ring without_flat_corners(const Ring& ring) {
   constexpr double kFlat = 1e-9;  // sine
@@ -94,12 +82,13 @@ std::optional<std::vector<OutlinedRegion>> union_by_boundary(const std::vector<R
     int around = 0;
     OutlinedRegion* smallest = nullptr;
     for (const Ring& other : rings) {
-      if (&other != &ring && contains(other, ring[0])) around += signed_area(other) > 0.0 ? 1 : -1;
+      if (&other != &ring && ring_holds(other, ring[0]))
+        around += signed_area(other) > 0.0 ? 1 : -1;
     }
     if (around != (area > 0.0 ? 0 : 1)) return std::nullopt;
     if (area > 0.0) continue;
     for (OutlinedRegion& region : regions) {
-      if (!contains(region.outer, ring[0])) continue;
+      if (!ring_holds(region.outer, ring[0])) continue;
       if (!smallest || signed_area(region.outer) < signed_area(smallest->outer)) smallest = &region;
     }
     smallest->holes.push_back(ring);

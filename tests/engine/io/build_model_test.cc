@@ -3,6 +3,7 @@
 #include <gable/engine/io/model_writer.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -40,6 +41,18 @@ TEST(BuildModel, PartsCarryTheLevelsTheyExistAt) {
   EXPECT_EQ(model.parts[2].solids[0].lod, Lod::k22);
   EXPECT_NEAR(volume(finest_solid(model.parts[0])), 10.0 * 8.0 * 4.5, 1e-3);
   EXPECT_NEAR(volume(finest_solid(model.parts[1])), 6.0 * 3.0 * 3.0, 1e-3);
+}
+
+TEST(BuildModel, LevelsThatAreAskedForAreThoseOfTheWhole) {
+  const BuildingModel whole = build_model(plain_house());
+  const BuildingModel finest = build_model(plain_house(), std::array{Lod::k22});
+  ASSERT_EQ(finest.parts.size(), whole.parts.size());
+  EXPECT_EQ(finest.dropped, whole.dropped);
+  for (size_t i = 0; i < whole.parts.size(); ++i) {
+    ASSERT_EQ(finest.parts[i].solids.size(), 1u);
+    EXPECT_EQ(finest.parts[i].role, whole.parts[i].role);
+    EXPECT_EQ(finest.parts[i].solids[0].solid.vertices, finest_solid(whole.parts[i]).vertices);
+  }
 }
 
 TEST(BuildModel, ExtrusionIsOneSolidAtTheCoarsestLevel) {

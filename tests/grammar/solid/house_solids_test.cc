@@ -1,7 +1,7 @@
 #include <gable/grammar/height_field.h>
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/block_alignment.h>
 #include <gable/grammar/solid/house_solids.h>
-#include <gable/grammar/solid/plan_cells.h>
 #include <gable/grammar/solid/validity.h>
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ double top_at(const HouseSolids& solids, const Eigen::Vector2d& p, double ground
       for (const std::vector<int>& ring : face.rings) {
         std::vector<Eigen::Vector2d> points;
         for (const int v : ring) points.push_back(part.solid.vertices[v].head<2>());
-        inside += ring_contains(points, p);
+        inside += ring_holds(points, p);
       }
       if (inside != 1) continue;
       // Plane through the ring's first vertex with its Newell normal.

@@ -1,5 +1,5 @@
 #include <gable/grammar/random.h>
-#include <gable/grammar/solid/plan_cells.h>
+#include <gable/grammar/ring.h>
 #include <gable/grammar/solid/roof_slabs.h>
 #include <gable/grammar/solid/validity.h>
 #include <gable/grammar/synthesis/prior.h>
@@ -184,7 +184,7 @@ std::vector<double> heights_over(const Solid& solid, SurfaceType type, const Eig
     for (const std::vector<int>& ring : face.rings) {
       std::vector<Eigen::Vector2d> points;
       for (const int v : ring) points.push_back(solid.vertices[v].head<2>());
-      inside += ring_contains(points, p);
+      inside += ring_holds(points, p);
     }
     if (inside != 1) continue;
     const std::vector<int>& ring = face.rings[0];
