@@ -60,6 +60,31 @@ TEST(PlanDivision, CellsOfRandomLinesCoverTheOutlineOnce) {
   }
 }
 
+TEST(PlanDivision, LineEndsAtTheNextEarlierLineBeyondWhatWasSeenOfIt) {
+  const PlanLine across{Eigen::Vector2d::UnitX(), 4.0};
+  PlanLine along{Eigen::Vector2d::UnitY(), 3.0};  // its direction is -x
+  along.begin = -9.0;
+  along.end = -6.0;
+  const auto division = PlanDivision::make(rectangle(0, 0, 10, 6), {across, along});
+  ASSERT_TRUE(division);
+  EXPECT_EQ(division->num_cells(), 3);
+  EXPECT_NEAR(division->area(division->cell_at({1.0, 5.0})), 24.0, 1e-12);
+  EXPECT_NEAR(division->area(division->cell_at({5.0, 5.0})), 18.0, 1e-12);
+  EXPECT_NE(division->cell_at({5.0, 5.0}), division->cell_at({5.0, 1.0}));
+}
+
+TEST(PlanDivision, InsideOfACellIsInIt) {
+  PlanPolygon outline = rectangle(0, 0, 9, 9);
+  outline.holes.push_back({{2, 2}, {8, 2}, {8, 8}, {2, 8}});
+  std::vector<PlanLine> lines;
+  for (int i = 0; i < 8; ++i) lines.push_back({{std::cos(0.4 * i), std::sin(0.4 * i)}, 1.0 + i});
+  const auto division = PlanDivision::make(outline, lines);
+  ASSERT_TRUE(division);
+  for (int c = 0; c < division->num_cells(); ++c) {
+    EXPECT_EQ(division->cell_at(division->inside(c)), c);
+  }
+}
+
 TEST(PlanDivision, OutlinesWithoutAreaCannotBeDivided) {
   EXPECT_FALSE(PlanDivision::make({}, {}));
   EXPECT_FALSE(PlanDivision::make({{{0, 0}, {1, 0}}, {}}, {}));
