@@ -33,7 +33,7 @@ EdgeLine line_of(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
     const double off =
         std::max(std::abs(trace.signed_distance(from)), std::abs(trace.signed_distance(to)));
     if (off > nearest) continue;
-    const auto [low, high] = std::minmax(trace.along(from), trace.along(to));
+    const auto [low, high] = std::minmax({trace.along(from), trace.along(to)});
     const double seen = std::min(high, trace.end) - std::max(low, trace.begin);
     if (high - low < 0.5 * along.norm() || seen < kLeastSeen * (high - low)) continue;
     nearest = off;

@@ -45,19 +45,46 @@ TEST(PlanDivision, CellsOfRandomLinesCoverTheOutlineOnce) {
     double area = 0.0;
     for (int c = 0; c < division->num_cells(); ++c) area += division->area(c);
     EXPECT_NEAR(area, 13 * 11 - std::abs(signed_area(outline.holes[0])), 1e-4);
-    // A cell lies on one side of every line.
+    // A cell lies on one side of every line, which may have moved by 3 cm.
     for (const HeightSample& s : sample_roof(
              outline, [](const auto&) { return 0; }, 0.9, 0, 1)) {
       const int cell = division->cell_at(s.point.head<2>());
       ASSERT_GE(cell, 0);
-      for (const Eigen::Vector2d& corner : division->corners(cell)) {
-        for (const PlanLine& line : lines) {
-          const double at_sample = line.signed_distance(s.point.head<2>());
-          EXPECT_GT(at_sample * line.signed_distance(corner), -1e-4);
+      for (const PlanLine& line : lines) {
+        const double at_sample = line.signed_distance(s.point.head<2>());
+        if (std::abs(at_sample) <= 0.03) continue;
+        for (const Eigen::Vector2d& corner : division->corners(cell)) {
+          EXPECT_GT(std::copysign(1.0, at_sample) * line.signed_distance(corner), -0.0301);
         }
       }
     }
   }
+}
+
+TEST(PlanDivision, LinesPassCornersExactlyOrClearOfThem) {
+  // The second line would pass the corner where the first one meets the outline by 1 mm, the third
+  // goes through it.
+  const PlanLine first{Eigen::Vector2d::UnitX(), 4.0};
+  const Eigen::Vector2d normal = Eigen::Vector2d(1, 1).normalized();
+  const auto corners_near = [&](const PlanLine& line) {
+    const auto division = PlanDivision::make(rectangle(0, 0, 10, 6), {first, line});
+    EXPECT_TRUE(division);
+    std::vector<double> apart;
+    for (int c = 0; c < division->num_cells(); ++c) {
+      for (const Eigen::Vector2d& p : division->corners(c)) {
+        const double distance = (p - Eigen::Vector2d(4, 0)).norm();
+        if (distance < 1.0) apart.push_back(distance);
+      }
+    }
+    return apart;
+  };
+  bool moved = false;
+  for (const double d : corners_near({normal, normal.x() * 4.0 + 0.001})) {
+    EXPECT_TRUE(d < 1e-9 || d > 0.005);
+    moved = moved || d > 0.005;
+  }
+  EXPECT_TRUE(moved);
+  for (const double d : corners_near({normal, normal.x() * 4.0})) EXPECT_LT(d, 1e-9);
 }
 
 TEST(PlanDivision, LineEndsAtTheNextEarlierLineBeyondWhatWasSeenOfIt) {
