@@ -85,11 +85,12 @@ void measure(const BuildingSurface& building, const ScaleModel& model, double de
       write_scan_ply((std::filesystem::path(folder) / name).string(), scan);
     }
     const DetectedScales detected = detect_scales(scan, model, {});
-    for (size_t k = 0; k < detected.scales.size(); ++k) {
-      const auto start = std::chrono::steady_clock::now();
-      const ScanSolid solid = close_scale(scan, detected.scales[k], {});
-      const double seconds =
-          std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<ScanSolid> solids = close_scales(scan, detected.scales, {});
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    for (size_t k = 0; k < solids.size(); ++k) {
+      const ScanSolid& solid = solids[k];
       if (!solid.reason.empty()) {
         std::printf("  %4.2f m  scale %zu  none: %s\n", noise, k + 1, solid.reason.c_str());
         continue;
@@ -107,12 +108,12 @@ void measure(const BuildingSurface& building, const ScaleModel& model, double de
       }
       std::printf(
           "  %4.2f m  scale %zu  %3zu shapes  %3d planes  %3d facets  %4d triangles  RMS %.3f m  "
-          "of the surface %.3f m  volume %.3f  %s  %.1f s\n",
+          "of the surface %.3f m  volume %.3f  %s\n",
           noise, k + 1, detected.scales[k].shapes.size(), solid.planes, solid.facets,
           solid.triangles, solid.rms, std::sqrt(squares), volume / extent.volume,
-          valid ? "valid" : "INVALID", seconds);
-      std::fflush(stdout);
+          valid ? "valid" : "INVALID");
     }
+    std::printf("  %4.2f m  all scales closed in %.2f s\n", noise, seconds);
   }
 }
 

@@ -5,9 +5,6 @@
 #include <gable/engine/closing/roof_defects.h>
 #include <gable/engine/closing/sample_grid.h>
 #include <gable/grammar/random.h>
-#include <gable/grammar/solid/plan_bodies.h>
-#include <gable/grammar/solid/surface_mesh.h>
-#include <gable/grammar/solid/validity.h>
 #include <glog/logging.h>
 
 #include <algorithm>
@@ -457,51 +454,9 @@ bool close_labelled(Labelled labelled, PlaneChoice choice, double base, double c
     std::optional<RoofPartition> roof = Closing::partition_of(labelled, choice.planes);
     if (!roof || roof->planes.size() != choice.planes.size()) return false;
     const RoofDefects defects = find_roof_defects(*roof, kLeastApart);
-    if (getenv("DBG"))
-      fprintf(stderr, "DBG attempt %d crowded %zu saddles %zu cells %d regions %zu\n", attempt,
-              defects.crowded.size(), defects.saddles.size(), labelled.division.num_cells(),
-              roof->regions.size());
     const bool whole = defects.crowded.empty() && defects.saddles.empty();
     if (whole || attempt == kMaxMendings) {
       std::optional<std::vector<Solid>> solids = solids_of_partition(*roof, base);
-      if (getenv("DBG") && (!solids || solids->empty())) {
-        std::vector<Plane> pl = {{0.0, 0.0, base}};
-        pl.insert(pl.end(), roof->planes.begin(), roof->planes.end());
-        std::vector<PlanSegment> segs;
-        for (const RoofRegion& r : roof->regions) {
-          auto add = [&](const Ring& ring) {
-            for (size_t i = 0; i < ring.size(); ++i)
-              segs.push_back({ring[i], ring[(i + 1) % ring.size()]});
-          };
-          add(r.polygon.outer);
-          for (auto& h : r.polygon.holes) add(h);
-        }
-        auto plan = divide_plan(
-            segs,
-            [&](const Eigen::Vector2d& p) {
-              const int r = region_at(*roof, p);
-              return r < 0 ? CellLabel{} : CellLabel{roof->regions[r].plane + 1, 0};
-            },
-            pl);
-        fprintf(stderr, "DBG plan %d\n", (bool)plan);
-        for (const RoofRegion& r : roof->regions)
-          for (auto& p : r.polygon.outer)
-            if (roof->planes[r.plane].at(p) < base + 1e-3) fprintf(stderr, "DBG below base\n");
-        if (plan)
-          for (const SurfaceMesh& mesh : raise_bodies(*plan, pl)) {
-            auto solid = merge_pieces(mesh);
-            if (!solid) {
-              fprintf(stderr, "DBG not manifold, pieces %zu\n", mesh.pieces.size());
-              continue;
-            }
-            fprintf(stderr, "DBG %s vol %g\n", check_solid(*solid).describe().c_str(),
-                    check_solid(*solid).volume);
-            Solid rounded = *solid;
-            for (Eigen::Vector3d& p : rounded.vertices)
-              for (double& v : p) v = std::round(v * 1e4) * 1e-4;
-            fprintf(stderr, "DBG rounded %s\n", check_solid(rounded).describe().c_str());
-          }
-      }
       if (!solids || solids->empty()) return false;
       closed->roof = std::move(*roof);
       closed->solids = std::move(*solids);

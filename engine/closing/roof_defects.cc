@@ -215,7 +215,8 @@ RoofDefects find_roof_defects(const RoofPartition& roof, double least) {
       continue;
     }
     std::vector<RoofSector> sectors = around(corners.sectors[i]);
-    if (touches_itself(corners.sectors[i]) || is_saddle(roof, p, sectors)) defects.saddles.push_back({p, std::move(sectors)});
+    if (touches_itself(corners.sectors[i]) || is_saddle(roof, p, sectors))
+      defects.saddles.push_back({p, std::move(sectors)});
   }
   return defects;
 }

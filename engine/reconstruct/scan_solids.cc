@@ -299,18 +299,24 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
   for (size_t s = 0; s < is_roof.size(); ++s) is_roof[s] = plane_of_shape[s] >= 0;
   // Walls are seen edge-on in plan: their samples would say nothing of how dense the others are.
   const OrientedPlane ground(Eigen::Vector3d::UnitZ(), 0.0);
-  std::vector<Eigen::Vector3d> flat;
-  for (const SurfaceSample& sample : samples) {
-    if (sample.shape < 0 || !is_roof[sample.shape]) continue;
-    flat.emplace_back(sample.point.x(), sample.point.y(), 0.0);
-  }
-  const double spacing = std::max(planar_spacing(flat, ground), 1e-3);
-  add_uncovered(samples, is_roof, 2.0 * spacing, &flat);
+  const auto on_ground = [&](const auto& is_wanted) {
+    std::vector<Eigen::Vector3d> flat;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const SurfaceSample& sample = samples[i];
+      if (sample.shape < 0 || !is_roof[sample.shape] || !is_wanted(i)) continue;
+      flat.emplace_back(sample.point.x(), sample.point.y(), 0.0);
+    }
+    return flat;
+  };
+  const double spacing =
+      std::max(planar_spacing(on_ground([](size_t) { return true; }), ground), 1e-3);
   const double tolerance = std::max({options.outline_tolerance, 2.0 * spacing, 3.0 * scale.rms});
   const ClosingOptions closing = closing_options(scale.rms, spacing, options);
   const std::vector<WallTrace> walls =
       wall_traces(samples, scale.shapes, model.origin, options.least_up, closing.least_step_length);
   const std::vector<bool> overhangs = find_overhangs(samples, is_roof, walls, options.overhang);
+  std::vector<Eigen::Vector3d> covered = on_ground([&](size_t i) { return !overhangs[i]; });
+  add_uncovered(samples, is_roof, 2.0 * spacing, &covered);
   const SeenFromAbove seen =
       seen_from_above(samples, overhangs, plane_of_shape, planes, 2.0 * spacing, scale.rms);
   const OfferedPlanes offered = offered_planes(planes, seen, options.offered_share, 4.0 * spacing);
@@ -319,7 +325,7 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
 
   const double base = box.min().z() - model.origin.z() - 2.0 * closing.clearance;
   for (const PlanPolygon& piece :
-       plan_pieces(flat, ground, spacing, tolerance, options.least_piece)) {
+       plan_pieces(covered, ground, spacing, tolerance, options.least_piece)) {
     const PlanPolygon outline = traced_outline(piece, evidence.traces, 2.0 * tolerance);
     ClosedPlanes closed =
         close_planes(outline, offered.planes, seen.heights, base, closing, evidence);
@@ -337,6 +343,26 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
   model.reason.clear();
   measure(samples, &model);
   return model;
+}
+
+std::vector<ScanSolid> close_scales(const Scan& scan, const std::vector<ScaleShapes>& scales,
+                                    const ScanSolidOptions& options) {
+  std::vector<ScanSolid> models;
+  std::vector<size_t> closed;
+  for (size_t k = 0; k < scales.size(); ++k) {
+    models.push_back(close_scale(scan, scales[k], options));
+    models.back().scale = static_cast<int>(k);
+    if (models.back().reason.empty()) closed.push_back(k);
+  }
+  for (size_t i = 1; i < closed.size(); ++i) {
+    const ScanSolid& finer = models[closed[i - 1]];
+    if (models[closed[i]].facets > finer.facets) models[closed[i]] = finer;
+  }
+  for (size_t i = closed.size(); i-- > 1;) {
+    const ScanSolid& coarser = models[closed[i]];
+    if (models[closed[i - 1]].rms > coarser.rms) models[closed[i - 1]] = coarser;
+  }
+  return models;
 }
 
 }  // namespace gable

@@ -42,6 +42,7 @@ std::string check(const ScanSolidOptions& options);
 struct ScanSolid {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< scan less this is the solids' frame
   std::vector<Solid> solids;                         ///< valid, metres
+  int scale = 0;       ///< number of the scale, from 0, whose shapes were closed (see close_scales)
   int planes = 0;      ///< of the roofs, those of the ground around a building among them
   int facets = 0;      ///< of all solids
   int triangles = 0;   ///< that the facets fall into
@@ -55,5 +56,12 @@ struct ScanSolid {
 /// that are walls divide the plan along their traces, and edges of the outline beside a trace
 /// follow it. Walls are vertical, overhangs and undersides are not there. Deterministic.
 ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSolidOptions& options);
+
+/// The closed models of all scales, finest first. Of two scales the coarser model has no more
+/// facets and the finer one is no farther from the scan (RMS): a coarser model with more facets
+/// than the finer one gives way to it, and a finer one that is farther than the coarser one to
+/// that; `scale` then says whose model it is. Scales that cannot be closed keep their reason.
+std::vector<ScanSolid> close_scales(const Scan& scan, const std::vector<ScaleShapes>& scales,
+                                    const ScanSolidOptions& options);
 
 }  // namespace gable

@@ -63,8 +63,9 @@ TEST(RoofDefects, RegionsThatTouchThemselvesMakeASaddle) {
   // A square with two courtyards that share a corner, of which one is higher and one is lower.
   RoofPartition roof;
   roof.planes = {{0, 0, 4}, {0, 0, 3}, {0, 0, 5}};
-  roof.regions = {{0, {{{0, 0}, {9, 0}, {9, 9}, {0, 9}},
-                       {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}, {{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}},
+  roof.regions = {{0,
+                   {{{0, 0}, {9, 0}, {9, 9}, {0, 9}},
+                    {{{2, 2}, {2, 4}, {4, 4}, {4, 2}}, {{4, 4}, {4, 6}, {6, 6}, {6, 4}}}}},
                   {1, {{{2, 2}, {4, 2}, {4, 4}, {2, 4}}, {}}},
                   {2, {{{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}}}};
   const auto saddles = find_roof_defects(roof, 0.004).saddles;
