@@ -46,6 +46,10 @@ std::vector<WallTrace> wall_traces(const std::vector<SurfaceSample>& samples,
     }
     line.begin = quantile(&places, kStray);
     line.end = quantile(&places, 1.0 - kStray);
+    // As far as an evenly seen wall with these quantiles.
+    const double beyond = (line.end - line.begin) * kStray / (1.0 - 2.0 * kStray);
+    line.begin -= beyond;
+    line.end += beyond;
     if (line.end - line.begin >= least_length) traces.push_back(trace);
   }
   std::stable_sort(traces.begin(), traces.end(), [](const WallTrace& a, const WallTrace& b) {

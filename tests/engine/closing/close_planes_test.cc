@@ -181,17 +181,17 @@ TEST(ClosePlanes, PlanesStayWhereTheyWereSeen) {
   const PlanPolygon outline = rectangle(0, 0, 12, 4);
   const std::vector<Plane> planes = {{0, 0, 3}, {0, 0, 6}, {0, 0, 6.1}};
   const auto samples = sample_roof(
-      outline, [](const auto& p) { return p.x() > 4 && p.x() < 8 ? 3.0 : 6.0; }, 0.5, 0.0, 1);
+      outline, [](const auto& p) { return p.x() > 3 && p.x() < 10 ? 3.0 : 6.0; }, 0.5, 0.0, 1);
   ClosingEvidence evidence;
   const Eigen::Vector3d far = Eigen::Vector3d::Constant(100.0);
   evidence.reaches = {{-far, far},
-                      {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(4.2, 5, 9)},
-                      {Eigen::Vector3d(7.8, -1, 0), Eigen::Vector3d(13, 5, 9)}};
+                      {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(3.2, 5, 9)},
+                      {Eigen::Vector3d(9.8, -1, 0), Eigen::Vector3d(13, 5, 9)}};
   const ClosedPlanes closed =
       close_planes(outline, planes, samples, 0.0, without_refits(), evidence);
   ASSERT_EQ(closed.reason, "");
   EXPECT_EQ(closed.origins, (std::vector<int>{0, 1, 2}));
-  EXPECT_NEAR(volume_of(closed), 4 * 4 * (6 + 3 + 6.1), 1e-6);
+  EXPECT_NEAR(volume_of(closed), 4 * (3 * 6 + 7 * 3 + 2 * 6.1), 1e-6);
 }
 
 TEST(ClosePlanes, CornersThatCrowdAreLoosened) {

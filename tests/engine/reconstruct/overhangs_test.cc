@@ -37,6 +37,35 @@ TEST(Overhangs, RoofBeyondItsWallIsOne) {
   }
 }
 
+TEST(Overhangs, RoofAroundTheCornerOfTwoWallsIsOne) {
+  WallTrace side = wall();  // along x = 0, its outside where x is negative
+  side.line.normal = {-1, 0};
+  side.line.begin = -6.0;  // the direction is -y
+  side.line.end = 0.0;
+  std::vector<SurfaceSample> samples;
+  for (double y = -0.75; y < 6; y += 0.5) {
+    for (double x = -0.75; x < 10; x += 0.5) samples.push_back({{x, y, 3.1}, 1.0, 0});
+  }
+  const auto overhangs = find_overhangs(samples, {true}, {wall(), side}, 1.0);
+  for (size_t i = 0; i < samples.size(); ++i) {
+    EXPECT_EQ(overhangs[i], samples[i].point.x() < 0 || samples[i].point.y() < 0) << i;
+  }
+}
+
+TEST(Overhangs, RoofOverAWallInFrontOfAnotherIsNone) {
+  std::vector<SurfaceSample> samples;
+  add_roof(-0.8, 3.1, &samples);
+  for (double x = 0.05; x < 10; x += 0.1) {
+    for (double z = 0.05; z < 3; z += 0.1) {
+      samples.push_back({{x, 0, z}, 1.0, 1});
+      samples.push_back({{x, -0.8, z}, 1.0, 1});
+    }
+  }
+  for (const bool overhang : find_overhangs(samples, {true, false}, {wall()}, 1.0)) {
+    EXPECT_FALSE(overhang);
+  }
+}
+
 TEST(Overhangs, WhatGoesOnBeyondAWallIsNone) {
   std::vector<SurfaceSample> samples;
   add_roof(-6.0, 3.1, &samples);  // a wall between two halves
