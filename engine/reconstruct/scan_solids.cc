@@ -310,7 +310,7 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
   };
   const double spacing =
       std::max(planar_spacing(on_ground([](size_t) { return true; }), ground), 1e-3);
-  const double tolerance = std::max({options.outline_tolerance, 2.0 * spacing, 3.0 * scale.rms});
+  const double tolerance = std::max({options.outline_tolerance, spacing, 3.0 * scale.rms});
   const ClosingOptions closing = closing_options(scale.rms, spacing, options);
   const std::vector<WallTrace> walls =
       wall_traces(samples, scale.shapes, model.origin, options.least_up, closing.least_step_length);
