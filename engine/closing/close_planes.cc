@@ -381,7 +381,7 @@ void loosen(const std::vector<CrowdedCorner>& crowded, bool first, Random* rando
       move[first ? steps.back() : steps[random->integer(0, static_cast<int>(steps.size()) - 1)]] =
           1;
     } else if (!ends.empty() && kind-- == 0) {
-      for (Eigen::Vector2d* p : ends) *p += Eigen::Vector2d(aside(), aside());
+      for (Eigen::Vector2d* p : ends) *p += Eigen::Vector2d{aside(), aside()};
     } else if (!there.empty()) {
       lift[least_used(there)] = 1;
     }

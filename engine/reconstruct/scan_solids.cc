@@ -271,6 +271,7 @@ std::string check(const ScanSolidOptions& options) {
 
 ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSolidOptions& options) {
   CHECK(check(options).empty()) << check(options);
+  CHECK_EQ(scale.shape_of.size(), scan.num_elements());
   ScanSolid model;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : scan.points) box.extend(p);

@@ -23,7 +23,7 @@ struct ScanSolidOptions {
   /// Shapes whose normals point up (or down) by less than this are walls, (0, 1].
   double least_up = 0.25;
   /// The outline's corners nearer than this to the line between their neighbours are left out,
-  /// metres, [0, 100]; at least two spacings of the points and three times the scale's RMS.
+  /// metres, [0, 100]; at least the spacing of the points and three times the scale's RMS.
   double outline_tolerance = 0.3;
   /// Pieces of the plan smaller than this share of the largest get no solid, [0, 1].
   double least_piece = 0.02;
@@ -53,8 +53,9 @@ struct ScanSolid {
 
 /// Closes the shapes of a scale in 2.5D: what is seen of them from above, between a level base
 /// under the lowest point and their planes, over the outline of the scan's points in plan. Shapes
-/// that are walls divide the plan along their traces, and edges of the outline beside a trace
-/// follow it. Walls are vertical, overhangs and undersides are not there. Deterministic.
+/// that are walls divide the plan along their traces, edges of the outline beside a trace follow
+/// it, and roofs that jut out over a wall end there (see find_overhangs). Walls are vertical,
+/// undersides are not there. Deterministic.
 ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSolidOptions& options);
 
 /// The closed models of all scales, finest first. Of two scales the coarser model has no more

@@ -125,7 +125,9 @@ TEST(ScanSolids, FinerScalesAreNearerAndCoarserOnesHaveFewerFacets) {
   EXPECT_EQ(turned[0].scale, 0);
   EXPECT_EQ(turned[1].scale, 0);
   EXPECT_EQ(turned[1].facets, in_order[1].facets);
-  const auto with_none = close_scales(house.scan, {fine, ScaleShapes{}, coarse}, {});
+  ScaleShapes none;
+  none.shape_of.assign(house.scan.points.size(), -1);
+  const auto with_none = close_scales(house.scan, {fine, none, coarse}, {});
   EXPECT_EQ(with_none[1].reason, "no shape of the scan faces up");
   EXPECT_EQ(with_none[2].scale, 2);
 }

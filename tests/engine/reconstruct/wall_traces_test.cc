@@ -46,7 +46,9 @@ TEST(WallTraces, WallsStandWhereTheyDoAndReachAsFarAsTheyAreSeen) {
   EXPECT_NEAR(traces[0].line.signed_distance(Eigen::Vector2d(5, 2) + 0.2 * out), 0.0, 1e-6);
   EXPECT_NEAR(traces[0].line.signed_distance(Eigen::Vector2d(8, 6) + 0.2 * out), 0.0, 1e-6);
   EXPECT_NEAR(traces[1].line.signed_distance({3, 2}), 0.0, 1e-9);
-  EXPECT_NEAR(traces[1].line.at(traces[1].line.begin).x() + traces[1].line.at(traces[1].line.end).x(), 6.0, 1e-6);
+  EXPECT_NEAR(
+      traces[1].line.at(traces[1].line.begin).x() + traces[1].line.at(traces[1].line.end).x(), 6.0,
+      1e-6);
   EXPECT_NEAR(traces[1].line.end - traces[1].line.begin, 4.0, 0.25);
   EXPECT_NEAR(traces[1].low, 0.0, 1e-9);
   EXPECT_NEAR(traces[0].high, 4.0, 1e-9);
