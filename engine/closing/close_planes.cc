@@ -2,14 +2,17 @@
 #include <gable/engine/closing/label_expansion.h>
 #include <gable/engine/closing/plan_division.h>
 #include <gable/engine/closing/plan_lines.h>
+#include <gable/engine/closing/roof_defects.h>
 #include <gable/engine/closing/sample_grid.h>
 #include <gable/grammar/random.h>
 #include <glog/logging.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace gable {
@@ -20,6 +23,18 @@ constexpr int kMovesPerPrice = 4;
 constexpr int kNumPrices = 4;
 constexpr double kDearer = 2.0;
 constexpr double kMove = 0.003;  // metres per attempt
+
+// Places nearer than this to each other, metres, are too near for a solid (ValidityTolerance), and
+// what lies this near to such a place is moved, by up to so much, so many times.
+constexpr double kLeastApart = 0.004;
+constexpr double kBesideCrowd = 0.01;
+constexpr double kAside = 0.02;
+constexpr int kMaxMendings = 40;
+constexpr int kPlainMendings = 3;  // of them, for saddles
+constexpr int kDirections = 16;    // in which it is looked what there is
+
+// A step into a sector of a corner, well clear of where cells are told apart, metres.
+constexpr double kIntoSector = 1e-3;
 
 // Steeper than this, planes are walls: normals of which less than this points up.
 constexpr double kLeastUp = 0.17;
@@ -39,11 +54,23 @@ constexpr double kLevel = 1e-3;
 // More than anything else can cost, per cell.
 constexpr double kForbidden = 1e7;
 
-/// The planes that may be used, with the numbers of those given.
+/// The planes that may be used, with the numbers of those given and where they may be used.
 struct PlaneChoice {
   std::vector<Plane> planes;
   std::vector<int> origins;
+  std::vector<Eigen::AlignedBox3d> reaches;
+
+  void add(const Plane& plane, int origin, const Eigen::AlignedBox3d& reach) {
+    planes.push_back(plane);
+    origins.push_back(origin);
+    reaches.push_back(reach);
+  }
 };
+
+Eigen::AlignedBox3d everywhere() {
+  const Eigen::Vector3d far = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
+  return {-far, far};
+}
 
 /// Integral of |difference| along a border, where it is linear.
 double step_area(double at_from, double at_to, double length) {
@@ -54,6 +81,8 @@ double step_area(double at_from, double at_to, double length) {
 
 /// A division with a plane for every cell.
 struct Labelled {
+  PlanPolygon outline;
+  std::vector<PlanLine> lines;  // of planes by their number at the time
   PlanDivision division;
   std::vector<int> labels;
   double cost = 0.0;
@@ -62,8 +91,8 @@ struct Labelled {
 class Closing {
  public:
   Closing(const PlanPolygon& outline, const std::vector<HeightSample>& samples, double base,
-          const ClosingOptions& options)
-      : outline_(outline), base_(base), options_(options) {
+          const ClosingOptions& options, const ClosingEvidence& evidence)
+      : base_(base), options_(options), evidence_(evidence) {
     for (const HeightSample& sample : samples) {
       if (polygon_holds(outline, sample.point.head<2>())) samples_.push_back(sample);
     }
@@ -82,23 +111,23 @@ class Closing {
 
   /// Appends level planes that are possible everywhere: at the median height, and one just above
   /// the base for ground that an outline takes in.
-  void add_stand_ins(std::vector<Plane>* planes, std::vector<int>* origins) const {
+  void add_stand_ins(PlaneChoice* choice) const {
     for (const double z : {level_, base_ + options_.clearance}) {
-      planes->push_back({0.0, 0.0, z});
-      origins->push_back(-1);
+      choice->add({0.0, 0.0, z}, -1, everywhere());
     }
   }
 
   /// Divides the plan by what the planes have to do with each other, and labels the cells.
-  std::optional<Labelled> label(const PlanPolygon& outline, const std::vector<Plane>& planes,
+  std::optional<Labelled> label(const PlanPolygon& outline, const PlaneChoice& choice,
                                 const ClosingOptions& options) {
-    grid_labels_ = label_grid(grid_, samples_, planes, options, {});
-    std::vector<PlanLine> lines = find_plan_lines(grid_, grid_labels_, planes, outline, options);
-    add_level_lines(planes, options, &lines);
+    grid_labels_ = label_grid(grid_, samples_, choice.planes, choice.reaches, options, {});
+    std::vector<PlanLine> lines =
+        find_plan_lines(grid_, grid_labels_, choice.planes, outline, evidence_.traces, options);
+    add_level_lines(choice, options, &lines);
     std::optional<PlanDivision> division = PlanDivision::make(outline, lines);
     if (!division) return std::nullopt;
-    Labelled labelled{std::move(*division), {}, 0.0};
-    const LabelProblem problem = problem_of(labelled.division, planes, options);
+    Labelled labelled{outline, std::move(lines), std::move(*division), {}, 0.0};
+    const LabelProblem problem = problem_of(labelled.division, choice, options);
     labelled.labels.assign(problem.num_sites(), 0);
     for (int c = 0; c < problem.num_sites(); ++c) {
       for (int l = 1; l < problem.num_labels; ++l) {
@@ -167,34 +196,48 @@ class Closing {
   }
 
  private:
-  /// Where the planes that are seen come down to the base or rise to the ceiling: a cell must not
-  /// reach beyond.
-  void add_level_lines(const std::vector<Plane>& planes, const ClosingOptions& options,
+  /// The heights between which a plane may be the roof.
+  double lowest(const PlaneChoice& choice, size_t plane, const ClosingOptions& options) const {
+    return std::max(base_ + options.clearance, choice.reaches[plane].min().z());
+  }
+  double highest(const PlaneChoice& choice, size_t plane) const {
+    return std::min(ceiling_, choice.reaches[plane].max().z());
+  }
+
+  /// Where the planes that are seen come down or rise to as far as they may: a cell must not reach
+  /// beyond.
+  void add_level_lines(const PlaneChoice& choice, const ClosingOptions& options,
                        std::vector<PlanLine>* lines) const {
-    for (size_t i = 0; i < planes.size(); ++i) {
-      const Eigen::Vector2d slope(planes[i].a, planes[i].b);
+    for (size_t i = 0; i < choice.planes.size(); ++i) {
+      const Plane& plane = choice.planes[i];
+      const Eigen::Vector2d slope(plane.a, plane.b);
       const int label = static_cast<int>(i);
       if (slope.norm() < kSteep) continue;
       if (std::find(grid_labels_.begin(), grid_labels_.end(), label) == grid_labels_.end()) {
         continue;
       }
-      for (const double z : {base_ + options.clearance + kInside, ceiling_ - kInside}) {
+      for (const double z : {lowest(choice, i, options) + kInside, highest(choice, i) - kInside}) {
         if (static_cast<int>(lines->size()) >= options.max_lines) return;
-        const PlanLine line{slope.normalized(), (z - planes[i].c) / slope.norm()};
-        if (comes_near(line, label)) lines->push_back(line);
+        PlanLine line{slope.normalized(), (z - plane.c) / slope.norm()};
+        if (find_stretch(label, &line)) lines->push_back(line);
       }
     }
   }
 
-  /// Whether a grid cell of a label lies near a line.
-  bool comes_near(const PlanLine& line, int label) const {
+  /// Sets the stretch of a line beside which grid cells of a label lie; whether there is one.
+  bool find_stretch(int label, PlanLine* line) const {
+    line->begin = std::numeric_limits<double>::infinity();
+    line->end = -line->begin;
     for (int row = 0; row < grid_.rows; ++row) {
       for (int col = 0; col < grid_.cols; ++col) {
         if (grid_labels_[grid_.index(row, col)] != label) continue;
-        if (std::abs(line.signed_distance(grid_.center(row, col))) < kNear) return true;
+        const Eigen::Vector2d p = grid_.center(row, col);
+        if (std::abs(line->signed_distance(p)) >= kNear) continue;
+        line->begin = std::min(line->begin, line->along(p) - grid_.cell);
+        line->end = std::max(line->end, line->along(p) + grid_.cell);
       }
     }
-    return false;
+    return line->begin < line->end;
   }
 
   static bool is_level(const OrientedPlane& plane) {
@@ -210,28 +253,41 @@ class Closing {
     return less > 1e-6 * moments.weight;
   }
 
-  LabelProblem problem_of(const PlanDivision& division, const std::vector<Plane>& planes,
+  LabelProblem problem_of(const PlanDivision& division, const PlaneChoice& choice,
                           const ClosingOptions& options) const {
+    const std::vector<Plane>& planes = choice.planes;
     LabelProblem problem;
     problem.num_labels = static_cast<int>(planes.size());
+    problem.impossible = kForbidden;
     problem.charges.assign(planes.size(), options.plane_charge);
     problem.data.assign(static_cast<size_t>(division.num_cells()) * planes.size(), 0.0);
     for (int c = 0; c < division.num_cells(); ++c) {
       const std::vector<Eigen::Vector2d> corners = division.corners(c);
+      Eigen::Vector2d low = corners[0], high = low;
+      for (const Eigen::Vector2d& p : corners) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
       for (size_t l = 0; l < planes.size(); ++l) {
-        const bool stands = std::all_of(corners.begin(), corners.end(), [&](const auto& p) {
-          const double z = planes[l].at(p);
-          return z >= base_ + options.clearance && z <= ceiling_;
-        });
-        if (!stands) problem.data[c * planes.size() + l] = kForbidden;
+        const Eigen::AlignedBox3d& reach = choice.reaches[l];
+        const bool near = (low.array() <= reach.max().head<2>().array()).all() &&
+                          (high.array() >= reach.min().head<2>().array()).all();
+        const double least = lowest(choice, l, options), most = highest(choice, l);
+        const bool stands = near && std::all_of(corners.begin(), corners.end(), [&](const auto& p) {
+                              const double z = planes[l].at(p);
+                              return z >= least && z <= most;
+                            });
+        if (!stands) {
+          problem.data[c * planes.size() + l] = kForbidden;
+        }
       }
     }
     for (const HeightSample& sample : samples_) {
       const int cell = division.cell_at(sample.point.head<2>());
       if (cell < 0) continue;
       for (size_t l = 0; l < planes.size(); ++l) {
-        problem.data[cell * planes.size() + l] +=
-            sample_cost(sample, planes[l], options.loss_scale);
+        double& cost = problem.data[cell * planes.size() + l];
+        if (cost < kForbidden) cost += sample_cost(sample, planes[l], options.loss_scale);
       }
     }
     for (const CellBorder& border : division.borders()) {
@@ -251,28 +307,181 @@ class Closing {
     return problem;
   }
 
-  const PlanPolygon& outline_;
   const double base_;
   const ClosingOptions& options_;
+  const ClosingEvidence& evidence_;
   std::vector<HeightSample> samples_;  // inside the outline
   double level_ = 0.0, ceiling_ = 0.0;
   SampleGrid grid_;
   std::vector<int> grid_labels_;
 };
 
-/// The planes without those that no cell uses; `labels` follow.
-PlaneChoice used_planes(const PlaneChoice& choice, std::vector<int>* labels) {
+/// The planes without those that no cell uses; the numbers in `labelled` follow.
+PlaneChoice used_planes(const PlaneChoice& choice, Labelled* labelled) {
   std::vector<int> number(choice.planes.size(), -1);
-  for (const int l : *labels) number[l] = 0;
+  for (const int l : labelled->labels) number[l] = 0;
   PlaneChoice used;
   for (size_t i = 0; i < number.size(); ++i) {
     if (number[i] < 0) continue;
     number[i] = static_cast<int>(used.planes.size());
-    used.planes.push_back(choice.planes[i]);
-    used.origins.push_back(choice.origins[i]);
+    used.add(choice.planes[i], choice.origins[i], choice.reaches[i]);
   }
-  for (int& l : *labels) l = number[l];
+  for (int& l : labelled->labels) l = number[l];
+  for (PlanLine& line : labelled->lines) {
+    if (!line.is_crease()) continue;
+    line.a = number[line.a];
+    line.b = number[line.b];
+    if (line.a < 0 || line.b < 0) line.a = line.b = -1;
+  }
   return used;
+}
+
+/// Moves one thing at every crowded corner: a line of steps there, a corner of the outline, or a
+/// plane up or down. At first what most likely moves nothing else, the line that came last or the
+/// plane of fewest cells, then any.
+void loosen(const std::vector<CrowdedCorner>& crowded, bool first, Random* random,
+            Labelled* labelled, std::vector<Plane>* planes) {
+  const auto aside = [&] { return random->uniform(-kAside, kAside); };
+  std::vector<int> cells(planes->size(), 0);
+  for (const int l : labelled->labels) ++cells[l];
+  const auto least_used = [&](const std::vector<int>& some) {
+    return *std::min_element(some.begin(), some.end(),
+                             [&](int a, int b) { return cells[a] < cells[b]; });
+  };
+  std::vector<Eigen::Vector2d*> corners;
+  for (Eigen::Vector2d& p : labelled->outline.outer) corners.push_back(&p);
+  for (auto& hole : labelled->outline.holes) {
+    for (Eigen::Vector2d& p : hole) corners.push_back(&p);
+  }
+  std::vector<uint8_t> move(labelled->lines.size(), 0), lift(planes->size(), 0);
+  for (const CrowdedCorner& corner : crowded) {
+    if (!corner.nearly_level.empty()) {
+      lift[first ? least_used(corner.nearly_level)
+                 : corner.nearly_level[random->integer(
+                       0, static_cast<int>(corner.nearly_level.size()) - 1)]] = 1;
+      continue;
+    }
+    std::vector<int> steps, there;
+    std::vector<Eigen::Vector2d*> ends;
+    for (const int number : labelled->division.lines_near(corner.place, kBesideCrowd)) {
+      if (!labelled->lines[number].is_crease()) steps.push_back(number);
+    }
+    for (Eigen::Vector2d* p : corners) {
+      if ((*p - corner.place).norm() < kBesideCrowd) ends.push_back(p);
+    }
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2.0 * M_PI * k / kDirections;
+      const Eigen::Vector2d around(std::cos(angle), std::sin(angle));
+      const int cell = labelled->division.cell_at(corner.place + kBesideCrowd * around);
+      if (cell >= 0) there.push_back(labelled->labels[cell]);
+    }
+    const int kinds = !steps.empty() + !ends.empty() + !there.empty();
+    int kind = first || kinds == 0 ? 0 : random->integer(0, kinds - 1);
+    if (!steps.empty() && kind-- == 0) {
+      move[first ? steps.back() : steps[random->integer(0, static_cast<int>(steps.size()) - 1)]] =
+          1;
+    } else if (!ends.empty() && kind-- == 0) {
+      for (Eigen::Vector2d* p : ends) *p += Eigen::Vector2d{aside(), aside()};
+    } else if (!there.empty()) {
+      lift[least_used(there)] = 1;
+    }
+  }
+  for (size_t i = 0; i < planes->size(); ++i) {
+    if (lift[i]) (*planes)[i].c += aside();
+  }
+  for (size_t i = 0; i < labelled->lines.size(); ++i) {
+    PlanLine& line = labelled->lines[i];
+    if (move[i]) line.offset += aside();
+    if (!line.is_crease() || !(lift[line.a] || lift[line.b])) continue;
+    if (const auto crease = crease_of(*planes, line.a, line.b)) {
+      line.normal = crease->normal;
+      line.offset = crease->offset;
+    }
+  }
+}
+
+/// Gives the smallest cell around a saddle the plane of one beside it: if possible one that stands
+/// out from its neighbours or between them, which gets that of the neighbour nearer in height.
+/// Where that was tried (not `first`), any cell there gets the plane of any beside it.
+void level_saddle(const RoofSaddle& saddle, const std::vector<Plane>& planes, double least,
+                  bool first, Random* random, Labelled* labelled) {
+  const auto height = [&](const RoofSector& sector) {
+    return sector.plane < 0 ? -std::numeric_limits<double>::infinity()
+                            : planes[sector.plane].at(saddle.place);
+  };
+  struct Change {
+    bool on_the_way = true;  // up or down from one neighbour to the other
+    double area = std::numeric_limits<double>::infinity(), step = area;
+    int cell = -1, plane = -1;
+  };
+  std::vector<Change> changes;
+  const size_t n = saddle.sectors.size();
+  for (size_t i = 0; i < n; ++i) {
+    const RoofSector& own = saddle.sectors[i];
+    const int cell = labelled->division.cell_at(saddle.place + kIntoSector * own.into);
+    if (own.plane < 0 || cell < 0) continue;
+    const std::vector<Eigen::Vector2d> corners = labelled->division.corners(cell);
+    const RoofSector &before = saddle.sectors[(i + n - 1) % n],
+                     &after = saddle.sectors[(i + 1) % n];
+    const double z = height(own);
+    for (const RoofSector& beside : {before, after}) {
+      if (beside.plane < 0 || beside.plane == own.plane) continue;
+      const bool stands = std::all_of(corners.begin(), corners.end(), [&](const auto& p) {
+        return planes[beside.plane].at(p) >= least;
+      });
+      if (!stands) continue;
+      changes.push_back({(height(before) - z) * (height(after) - z) <= 0.0,
+                         labelled->division.area(cell), std::abs(height(beside) - z), cell,
+                         beside.plane});
+    }
+  }
+  if (changes.empty()) return;
+  const auto better = [](const Change& x, const Change& y) {
+    return std::tie(x.on_the_way, x.area, x.step) < std::tie(y.on_the_way, y.area, y.step);
+  };
+  const Change& change = first ? *std::min_element(changes.begin(), changes.end(), better)
+                               : changes[random->integer(0, static_cast<int>(changes.size()) - 1)];
+  labelled->labels[change.cell] = change.plane;
+}
+
+/// The solids over a labelled division. Around saddles cells change their planes; where corners
+/// crowd, what meets there is moved a little, and the cells keep their planes.
+bool close_labelled(Labelled labelled, PlaneChoice choice, double base, double clearance,
+                    ClosedPlanes* closed) {
+  Random random(0);
+  for (int attempt = 0; attempt <= kMaxMendings; ++attempt) {
+    choice = used_planes(choice, &labelled);
+    std::optional<RoofPartition> roof = Closing::partition_of(labelled, choice.planes);
+    if (!roof || roof->planes.size() != choice.planes.size()) return false;
+    const RoofDefects defects = find_roof_defects(*roof, kLeastApart);
+    const bool whole = defects.crowded.empty() && defects.saddles.empty();
+    if (whole || attempt == kMaxMendings) {
+      std::optional<std::vector<Solid>> solids = solids_of_partition(*roof, base);
+      if (!solids || solids->empty()) return false;
+      closed->roof = std::move(*roof);
+      closed->solids = std::move(*solids);
+      closed->origins = std::move(choice.origins);
+      closed->cells = labelled.division.num_cells();
+      return true;
+    }
+    for (const RoofSaddle& saddle : defects.saddles) {
+      level_saddle(saddle, choice.planes, base + clearance, attempt < kPlainMendings, &random,
+                   &labelled);
+    }
+    if (defects.crowded.empty()) continue;
+    const Labelled before = labelled;
+    loosen(defects.crowded, attempt == 0, &random, &labelled, &choice.planes);
+    std::optional<PlanDivision> division = PlanDivision::make(labelled.outline, labelled.lines);
+    if (!division) return false;
+    labelled.division = std::move(*division);
+    labelled.labels.resize(labelled.division.num_cells());
+    for (int c = 0; c < labelled.division.num_cells(); ++c) {
+      // What moved beyond the outline of before is a sliver.
+      const int cell = before.division.cell_at(labelled.division.inside(c));
+      labelled.labels[c] = before.labels[std::max(cell, 0)];
+    }
+  }
+  return false;
 }
 
 PlanPolygon moved(const PlanPolygon& outline, double amplitude, Random* random) {
@@ -302,33 +511,34 @@ ClosedPlanes failed(const std::string& reason) {
 
 ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& planes,
                           const std::vector<HeightSample>& samples, double base,
-                          const ClosingOptions& options) {
+                          const ClosingOptions& options, const ClosingEvidence& evidence) {
   CHECK(check(options).empty()) << check(options);
+  CHECK(evidence.reaches.empty() || evidence.reaches.size() == planes.size());
   for (const HeightSample& sample : samples) {
     CHECK(sample.point.allFinite() && sample.weight > 0.0) << "samples are finite and weigh";
   }
-  Closing closing(outline, samples, base, options);
+  Closing closing(outline, samples, base, options, evidence);
   if (!closing.has_samples()) return failed("no heights inside the outline");
 
   PlaneChoice choice;
   for (size_t i = 0; i < planes.size(); ++i) {
     if (!finite(planes[i])) continue;
-    choice.planes.push_back(planes[i]);
-    choice.origins.push_back(static_cast<int>(i));
+    choice.add(planes[i], static_cast<int>(i),
+               evidence.reaches.empty() ? everywhere() : evidence.reaches[i]);
   }
-  closing.add_stand_ins(&choice.planes, &choice.origins);
-  std::optional<Labelled> best = closing.label(outline, choice.planes, options);
+  closing.add_stand_ins(&choice);
+  std::optional<Labelled> best = closing.label(outline, choice, options);
   if (!best) return failed("the outline cannot be divided");
   ClosedPlanes closed;
   closed.costs.push_back(best->cost);
-  choice = used_planes(choice, &best->labels);
+  choice = used_planes(choice, &*best);
   for (int refit = 0; refit < options.max_refits; ++refit) {
     PlaneChoice next_choice = choice;
     next_choice.planes = closing.refitted(*best, choice.planes);
-    std::optional<Labelled> next = closing.label(outline, next_choice.planes, options);
+    std::optional<Labelled> next = closing.label(outline, next_choice, options);
     if (!next || !(next->cost < best->cost * (1.0 - 1e-6))) break;
     best = std::move(next);
-    choice = used_planes(next_choice, &best->labels);
+    choice = used_planes(next_choice, &*best);
     closed.costs.push_back(best->cost);
   }
 
@@ -341,24 +551,18 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
         labelled = best;
       } else {
         if (std::find(choice.origins.begin(), choice.origins.end(), -1) == choice.origins.end()) {
-          closing.add_stand_ins(&moved_choice.planes, &moved_choice.origins);
+          closing.add_stand_ins(&moved_choice);
         }
         Random random(static_cast<uint64_t>(price * kMovesPerPrice + move));
         const double amplitude = kMove * move;
         for (Plane& plane : moved_choice.planes) plane.c += random.uniform(-amplitude, amplitude);
-        labelled = closing.label(moved(outline, amplitude, &random), moved_choice.planes, dearer);
+        labelled = closing.label(moved(outline, amplitude, &random), moved_choice, dearer);
+        if (labelled) moved_choice = used_planes(moved_choice, &*labelled);
       }
       if (!labelled || labelled->cost >= kForbidden) continue;
-      moved_choice = used_planes(moved_choice, &labelled->labels);
-      std::optional<RoofPartition> roof = Closing::partition_of(*labelled, moved_choice.planes);
-      if (!roof || roof->planes.size() != moved_choice.planes.size()) continue;
-      std::optional<std::vector<Solid>> solids = solids_of_partition(*roof, base);
-      if (!solids || solids->empty()) continue;
-      closed.roof = std::move(*roof);
-      closed.solids = std::move(*solids);
-      closed.origins = std::move(moved_choice.origins);
-      closed.cells = labelled->division.num_cells();
-      return closed;
+      if (close_labelled(std::move(*labelled), moved_choice, base, options.clearance, &closed)) {
+        return closed;
+      }
     }
     dearer.boundary_cost *= kDearer;
     dearer.step_cost *= kDearer;

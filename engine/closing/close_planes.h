@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gable/engine/closing/closing_evidence.h>
 #include <gable/engine/closing/closing_options.h>
 #include <gable/engine/closing/height_sample.h>
 #include <gable/grammar/solid/extrusion.h>
@@ -33,12 +34,14 @@ struct ClosedPlanes {
 /// the regularities found among them, and all is done again as long as the cost falls.
 ///
 /// In the manner of Zebedin et al. 2008 ("Fusion of Feature- and Area-Based Information for Urban
-/// Buildings Modeling from Aerial Imagery"), on lines that come from the planes themselves. Where
-/// the solid is not valid, planes and outline are moved by millimetres, then boundaries made
-/// dearer; what cannot be closed at all comes back with the reason. Samples outside the outline are
-/// left out. All in one local frame, metres; deterministic.
+/// Buildings Modeling from Aerial Imagery"), on lines that come from the planes themselves and from
+/// the walls of `evidence`. Where corners of the solid come too near to each other, the lines,
+/// corners or planes there are moved by up to two centimetres; where that does not help, planes and
+/// outline are all moved by millimetres, then boundaries made dearer. What cannot be closed at all
+/// comes back with the reason. Samples outside the outline are left out. All in one local frame,
+/// metres; deterministic.
 ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& planes,
                           const std::vector<HeightSample>& samples, double base,
-                          const ClosingOptions& options);
+                          const ClosingOptions& options, const ClosingEvidence& evidence = {});
 
 }  // namespace gable

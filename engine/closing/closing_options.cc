@@ -21,7 +21,9 @@ std::string check(const ClosingOptions& options) {
   if (!(options.snap_distance >= 0.0 && options.snap_distance <= 100.0)) {
     return "snap_distance must lie in [0, 100] m";
   }
-  if (options.max_lines < 0 || options.max_lines > 200) return "max_lines must lie in [0, 200]";
+  if (options.max_lines < 0 || options.max_lines > 2000) {
+    return "max_lines must lie in [0, 2000]";
+  }
   if (options.max_grid < 16 || options.max_grid > 1000000) {
     return "max_grid must lie in [16, 1e6]";
   }

@@ -21,7 +21,7 @@ struct ClosingOptions {
   /// A line of a step as near as this to a parallel edge of the outline takes its place, metres,
   /// [0, 100].
   double snap_distance = 0.3;
-  int max_lines = 40;      ///< that divide the plan, [0, 200]
+  int max_lines = 40;      ///< that divide the plan, [0, 2000]
   int max_grid = 4000;     ///< cells of the grid that finds which planes are neighbours, [16, 1e6]
   int max_refits = 4;      ///< of the planes to the regions they got, [0, 100]
   double clearance = 0.1;  ///< least height of the roof above its base, metres, [0.01, 100]

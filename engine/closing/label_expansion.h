@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace gable {
@@ -21,6 +22,9 @@ struct LabelProblem {
   /// triangle inequality).
   std::function<double(int pair, int label_a, int label_b)> pair_cost;
   std::vector<double> charges;  ///< per label, >= 0; none: nothing is charged
+  /// A site takes no label that costs it this much or more, so that labels for few of the sites are
+  /// tried at these alone.
+  double impossible = std::numeric_limits<double>::infinity();
 
   int num_sites() const { return num_labels ? static_cast<int>(data.size()) / num_labels : 0; }
   double at(int site, int label) const {

@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace gable {
@@ -15,9 +19,8 @@ constexpr double kLeastSlopeDifference = 0.05;
 // Where two planes meet is known to about this height over the difference of their slopes, metres.
 constexpr double kHeightTolerance = 0.1;
 
-// Lines that turn by less than this, radians, and run this near, metres, are one.
+// Lines that turn by less than this, radians, and run near each other are one.
 constexpr double kSameAngle = 0.05;
-constexpr double kSameOffset = 0.3;
 
 // Free directions that are tried, and what regular ones count more.
 constexpr int kNumFreeDirections = 24;
@@ -29,6 +32,10 @@ constexpr double kPlaneBonus = 1.1;
 constexpr double kLeastReentrantEdge = 0.5;
 constexpr double kLeastTurn = 0.3;
 constexpr double kSameReentrant = 0.1;
+constexpr double kBeyondCorner = 0.5;
+
+// Cells without a border point that a stretch of a line may span.
+constexpr double kGapCells = 3.0;
 
 constexpr double kLeastOutlineEdge = 2.0;  // metres, for its direction to count
 
@@ -60,10 +67,14 @@ std::map<std::pair<int, int>, Points> borders_of(const SampleGrid& grid,
   return borders;
 }
 
+/// The points that do not lie along the stretch of a line.
 Points away_from(const PlanLine& line, double distance, const Points& points) {
   Points left;
   for (const Eigen::Vector2d& p : points) {
-    if (std::abs(line.signed_distance(p)) > distance) left.push_back(p);
+    const double along = line.along(p);
+    if (std::abs(line.signed_distance(p)) > distance || along < line.begin || along > line.end) {
+      left.push_back(p);
+    }
   }
   return left;
 }
@@ -92,6 +103,7 @@ std::vector<PlanLine> edge_lines_of(const PlanPolygon& outline, double least_len
 }
 
 std::vector<Direction> directions_of(const std::vector<PlanLine>& edges,
+                                     const std::vector<PlanLine>& traces,
                                      const std::vector<Plane>& planes) {
   std::vector<Direction> directions;
   const auto add = [&](const Eigen::Vector2d& normal, double bonus) {
@@ -101,6 +113,7 @@ std::vector<Direction> directions_of(const std::vector<PlanLine>& edges,
     }
     directions.push_back({normal, bonus, false});
   };
+  for (const PlanLine& trace : traces) add(trace.normal, kOutlineBonus);
   for (const PlanLine& edge : edges) add(edge.normal, kOutlineBonus);
   for (const Plane& plane : planes) {
     const Eigen::Vector2d slope(plane.a, plane.b);
@@ -114,26 +127,96 @@ std::vector<Direction> directions_of(const std::vector<PlanLine>& edges,
   return directions;
 }
 
-/// The points within a window of offsets along a direction.
-struct Window {
+/// A stretch of points along a direction: within a band of offsets, without gaps.
+struct Stretch {
   double score = 0.0;
-  double low = 0.0, high = 0.0;
-  const Direction* direction = nullptr;
+  Points points;
 };
 
-Window best_window(const Points& points, const std::vector<Direction>& directions, double width) {
-  Window best;
-  std::vector<double> offsets(points.size());
-  for (const Direction& direction : directions) {
-    for (size_t i = 0; i < points.size(); ++i) offsets[i] = direction.normal.dot(points[i]);
-    std::sort(offsets.begin(), offsets.end());
-    for (size_t first = 0, end = 0; first < offsets.size(); ++first) {
-      while (end < offsets.size() && offsets[end] <= offsets[first] + width) ++end;
-      const double score = direction.bonus * static_cast<double>(end - first);
-      if (score > best.score) best = {score, offsets[first], offsets[end - 1], &direction};
+/// The best stretch along a direction. Bands overlap by half, so that points within half a band of
+/// each other share one.
+Stretch best_stretch(const Points& points, const Direction& direction, double width, double gap) {
+  struct Member {
+    int64_t band;
+    double along;
+    size_t point;
+  };
+  const Eigen::Vector2d along(-direction.normal.y(), direction.normal.x());
+  std::vector<Member> members;
+  members.reserve(2 * points.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    const auto half =
+        static_cast<int64_t>(std::floor(direction.normal.dot(points[i]) / (0.5 * width)));
+    const double at = along.dot(points[i]);
+    members.push_back({half, at, i});
+    members.push_back({half - 1, at, i});
+  }
+  std::sort(members.begin(), members.end(), [](const Member& x, const Member& y) {
+    return std::tie(x.band, x.along, x.point) < std::tie(y.band, y.along, y.point);
+  });
+  size_t best_first = 0, best_count = 0;
+  for (size_t first = 0, i = 1; i <= members.size(); ++i) {
+    if (i < members.size() && members[i].band == members[first].band &&
+        members[i].along <= members[i - 1].along + gap) {
+      continue;
     }
+    if (i - first > best_count) {
+      best_first = first;
+      best_count = i - first;
+    }
+    first = i;
+  }
+  Stretch best;
+  best.score = direction.bonus * static_cast<double>(best_count);
+  for (size_t i = best_first; i < best_first + best_count; ++i) {
+    best.points.push_back(points[members[i].point]);
   }
   return best;
+}
+
+/// The best stretch over all directions. Scores of `most` (per direction, those of before or
+/// infinite) never rise as points go, so that most directions need no second look.
+const Direction* best_direction(const Points& points, const std::vector<Direction>& directions,
+                                double width, double gap, std::vector<double>* most,
+                                Stretch* best) {
+  const Direction* found = nullptr;
+  *best = {};
+  std::vector<size_t> order(directions.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t x, size_t y) { return (*most)[x] > (*most)[y]; });
+  for (const size_t d : order) {
+    if ((*most)[d] <= best->score) break;
+    Stretch stretch = best_stretch(points, directions[d], width, gap);
+    (*most)[d] = stretch.score;
+    if (stretch.score <= best->score) continue;
+    *best = std::move(stretch);
+    found = &directions[d];
+  }
+  return found;
+}
+
+/// The stretch of a line that points lie along, and `beyond` on either side.
+void cover(const Points& points, double beyond, PlanLine* line) {
+  line->begin = std::numeric_limits<double>::infinity();
+  line->end = -line->begin;
+  for (const Eigen::Vector2d& p : points) {
+    line->begin = std::min(line->begin, line->along(p) - beyond);
+    line->end = std::max(line->end, line->along(p) + beyond);
+  }
+}
+
+/// Makes a line's stretch take in that of another that runs along it.
+void take_in(const PlanLine& other, PlanLine* line) {
+  for (const double end : {other.begin, other.end}) {
+    if (!std::isfinite(end)) {
+      line->begin = -std::numeric_limits<double>::infinity();
+      line->end = std::numeric_limits<double>::infinity();
+      return;
+    }
+    line->begin = std::min(line->begin, line->along(other.at(end)));
+    line->end = std::max(line->end, line->along(other.at(end)));
+  }
 }
 
 /// Least squares in total through points.
@@ -176,7 +259,10 @@ std::vector<PlanLine> reentrant_lines(const PlanPolygon& outline) {
       const Eigen::Vector2d along = ring[(i + 1) % n] - ring[i];
       if (!(reentrant[i] || reentrant[(i + 1) % n]) || along.norm() < kLeastReentrantEdge) continue;
       const Eigen::Vector2d normal = Eigen::Vector2d(-along.y(), along.x()).normalized();
-      found.push_back({along.norm(), {normal, normal.dot(ring[i])}});
+      PlanLine line{normal, normal.dot(ring[i])};
+      // As far as the next line beyond either corner.
+      cover({ring[i], ring[(i + 1) % n]}, kBeyondCorner, &line);
+      found.push_back({along.norm(), line});
     }
   };
   add(outline.outer, false);
@@ -199,15 +285,19 @@ std::optional<PlanLine> crease_of(const std::vector<Plane>& planes, int a, int b
 
 std::vector<PlanLine> find_plan_lines(const SampleGrid& grid, const std::vector<int>& labels,
                                       const std::vector<Plane>& planes, const PlanPolygon& outline,
+                                      const std::vector<PlanLine>& traces,
                                       const ClosingOptions& options) {
   struct Crease {
     PlanLine line;
     size_t support;
   };
+  std::vector<PlanLine> lines(
+      traces.begin(),
+      traces.begin() + std::min<std::ptrdiff_t>(options.max_lines, std::ssize(traces)));
   std::vector<Crease> creases;
   Points steps;
   for (auto& [pair, points] : borders_of(grid, labels)) {
-    const std::optional<PlanLine> crease = crease_of(planes, pair.first, pair.second);
+    std::optional<PlanLine> crease = crease_of(planes, pair.first, pair.second);
     if (!crease) {
       steps.insert(steps.end(), points.begin(), points.end());
       continue;
@@ -215,36 +305,39 @@ std::vector<PlanLine> find_plan_lines(const SampleGrid& grid, const std::vector<
     const double slope = std::hypot(planes[pair.first].a - planes[pair.second].a,
                                     planes[pair.first].b - planes[pair.second].b);
     const double tolerance = 1.5 * grid.cell + std::min(1.0, kHeightTolerance / slope);
-    const Points left = away_from(*crease, tolerance, points);
-    const size_t support = points.size() - left.size();
-    if (support >= 2) creases.push_back({*crease, support});
+    Points left, on;
+    for (const Eigen::Vector2d& p : points) {
+      (std::abs(crease->signed_distance(p)) > tolerance ? left : on).push_back(p);
+    }
+    if (on.size() >= 2) {
+      cover(on, 2.0 * grid.cell, &*crease);
+      creases.push_back({*crease, on.size()});
+    }
     steps.insert(steps.end(), left.begin(), left.end());
   }
   std::stable_sort(creases.begin(), creases.end(),
                    [](const Crease& x, const Crease& y) { return x.support > y.support; });
-  std::vector<PlanLine> lines;
   for (const Crease& crease : creases) {
     if (static_cast<int>(lines.size()) == options.max_lines) return lines;
     lines.push_back(crease.line);
-    steps = away_from(crease.line, grid.cell, steps);
   }
+  for (const PlanLine& line : lines) steps = away_from(line, grid.cell, steps);
 
   const std::vector<PlanLine> edges = edge_lines_of(outline, kLeastOutlineEdge);
-  const std::vector<Direction> directions = directions_of(edges, planes);
+  const std::vector<Direction> directions = directions_of(edges, traces, planes);
+  std::vector<double> most(directions.size(), std::numeric_limits<double>::infinity());
+  Stretch stretch;
   while (static_cast<int>(lines.size()) < options.max_lines) {
-    const Window window = best_window(steps, directions, 2.0 * grid.cell);
-    if (!window.direction) break;
-    Points on;
-    for (const Eigen::Vector2d& p : steps) {
-      const double offset = window.direction->normal.dot(p);
-      if (offset >= window.low && offset <= window.high) on.push_back(p);
-    }
+    const Direction* direction =
+        best_direction(steps, directions, 2.0 * grid.cell, kGapCells * grid.cell, &most, &stretch);
+    if (!direction) break;
+    const Points& on = stretch.points;
     if (static_cast<double>(on.size()) * grid.cell < options.least_step_length) break;
     PlanLine line = line_through(on);
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& p : on) mean += p / static_cast<double>(on.size());
-    if (!window.direction->free) {
-      line.normal = window.direction->normal;
+    if (!direction->free) {
+      line.normal = direction->normal;
       line.offset = line.normal.dot(mean);
     }
     for (const PlanLine& edge : edges) {
@@ -252,24 +345,35 @@ std::vector<PlanLine> find_plan_lines(const SampleGrid& grid, const std::vector<
       line = edge;
       break;
     }
+    cover(on, grid.cell, &line);
     const size_t before = steps.size();
+    steps = away_from(line, grid.cell, steps);
+    // A line moved to an edge may be beside its points.
     std::erase_if(steps, [&](const Eigen::Vector2d& p) {
-      const double offset = window.direction->normal.dot(p);
-      return (offset >= window.low && offset <= window.high) ||
-             std::abs(line.signed_distance(p)) <= grid.cell;
+      return std::find(on.begin(), on.end(), p) != on.end();
     });
     if (steps.size() == before) break;
-    const bool known = std::any_of(lines.begin(), lines.end(), [&](const PlanLine& other) {
-      return runs_along(line, other, mean, kSameOffset, kSameAngle);
+    const auto known = std::find_if(lines.begin(), lines.end(), [&](const PlanLine& other) {
+      return runs_along(line, other, mean, options.snap_distance, kSameAngle);
     });
-    if (!known) lines.push_back(line);
+    if (known == lines.end()) {
+      lines.push_back(line);
+    } else {
+      take_in(line, &*known);
+    }
   }
   for (const PlanLine& line : reentrant_lines(outline)) {
     if (static_cast<int>(lines.size()) >= options.max_lines) break;
     const auto same = [&](const PlanLine& other) {
-      return runs_along(line, other, line.offset * line.normal, kSameReentrant, kSameAngle);
+      return runs_along(line, other, line.at(0.5 * (line.begin + line.end)), kSameReentrant,
+                        kSameAngle);
     };
-    if (std::none_of(lines.begin(), lines.end(), same)) lines.push_back(line);
+    const auto known = std::find_if(lines.begin(), lines.end(), same);
+    if (known == lines.end()) {
+      lines.push_back(line);
+    } else {
+      take_in(line, &*known);
+    }
   }
   return lines;
 }

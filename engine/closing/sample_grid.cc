@@ -7,6 +7,17 @@
 #include <cmath>
 
 namespace gable {
+namespace {
+
+// More than the samples of a cell can cost.
+constexpr double kOutOfReach = 1e7;
+
+bool in_reach(const Eigen::AlignedBox3d& reach, const Eigen::Vector2d& p) {
+  return (p.array() >= reach.min().head<2>().array()).all() &&
+         (p.array() <= reach.max().head<2>().array()).all();
+}
+
+}  // namespace
 
 SampleGrid make_sample_grid(const std::vector<HeightSample>& samples, int max_cells) {
   SampleGrid grid;
@@ -47,12 +58,15 @@ double sample_cost(const HeightSample& sample, const Plane& plane, double loss_s
 }
 
 std::vector<int> label_grid(const SampleGrid& grid, const std::vector<HeightSample>& samples,
-                            const std::vector<Plane>& planes, const ClosingOptions& options,
-                            const std::vector<int>& start) {
+                            const std::vector<Plane>& planes,
+                            const std::vector<Eigen::AlignedBox3d>& reaches,
+                            const ClosingOptions& options, const std::vector<int>& start) {
   CHECK(!planes.empty());
+  CHECK(reaches.empty() || reaches.size() == planes.size());
   CHECK(start.empty() || start.size() == grid.samples.size());
   LabelProblem problem;
   problem.num_labels = static_cast<int>(planes.size());
+  problem.impossible = kOutOfReach;
   problem.charges.assign(planes.size(), options.plane_charge);
   std::vector<int> site_of(grid.samples.size(), -1), labels;
   for (size_t c = 0; c < grid.samples.size(); ++c) {
@@ -60,7 +74,13 @@ std::vector<int> label_grid(const SampleGrid& grid, const std::vector<HeightSamp
     site_of[c] = static_cast<int>(labels.size());
     int best = 0;
     const size_t first = problem.data.size();
+    const Eigen::Vector2d middle =
+        grid.center(static_cast<int>(c) / grid.cols, static_cast<int>(c) % grid.cols);
     for (size_t l = 0; l < planes.size(); ++l) {
+      if (!reaches.empty() && !in_reach(reaches[l], middle)) {
+        problem.data.push_back(problem.impossible);
+        continue;
+      }
       double cost = 0.0;
       for (const int s : grid.samples[c]) {
         cost += sample_cost(samples[s], planes[l], options.loss_scale);

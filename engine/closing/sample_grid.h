@@ -5,6 +5,7 @@
 #include <gable/grammar/solid/plane.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 namespace gable {
@@ -30,9 +31,11 @@ SampleGrid make_sample_grid(const std::vector<HeightSample>& samples, int max_ce
 double sample_cost(const HeightSample& sample, const Plane& plane, double loss_scale);
 
 /// The plane of every cell (-1: no samples), by a graph cut between neighbouring cells with the
-/// costs of `options`. `start`: labels to start from, or empty.
+/// costs of `options`. `reaches`: per plane where it may be used, or none: everywhere; cells that
+/// no plane reaches may have any. `start`: labels to start from, or empty.
 std::vector<int> label_grid(const SampleGrid& grid, const std::vector<HeightSample>& samples,
-                            const std::vector<Plane>& planes, const ClosingOptions& options,
-                            const std::vector<int>& start);
+                            const std::vector<Plane>& planes,
+                            const std::vector<Eigen::AlignedBox3d>& reaches,
+                            const ClosingOptions& options, const std::vector<int>& start);
 
 }  // namespace gable

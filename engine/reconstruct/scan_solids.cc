@@ -1,6 +1,9 @@
 #include <gable/engine/closing/close_planes.h>
 #include <gable/engine/closing/surface_distance.h>
+#include <gable/engine/reconstruct/overhangs.h>
 #include <gable/engine/reconstruct/scan_solids.h>
+#include <gable/engine/reconstruct/traced_outline.h>
+#include <gable/engine/reconstruct/wall_traces.h>
 #include <gable/engine/scales/outline/inlier_polygon.h>
 #include <gable/engine/scales/outline/ring_simplification.h>
 #include <gable/grammar/ring.h>
@@ -12,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace gable {
@@ -26,12 +30,14 @@ constexpr double kLargest = 2000.0;
 constexpr double kNoisesBelow = 5.0;
 constexpr double kWidthsBelow = 1.0;
 
-/// A place of the scan's surface, in the solids' frame.
-struct SurfaceSample {
-  Eigen::Vector3d point;
-  double weight = 1.0;  ///< a point, or square metres of a mesh
-  int shape = -1;
-};
+// Misses smaller than this, metres, are nobody's concern.
+constexpr double kLeastLossScale = 0.05;
+
+// Slopes from which the height of a plane is limited to what is seen of it.
+constexpr double kSteep = 0.3;
+
+// Spacings of the points that a step takes up at least to get a line.
+constexpr double kSpacingsPerStep = 4.0;
 
 /// The points of a cloud, every so many; or places spread over the facets of a mesh, about evenly.
 std::vector<SurfaceSample> surface_samples(const Scan& scan, const std::vector<int>& shape_of,
@@ -77,14 +83,31 @@ std::vector<SurfaceSample> surface_samples(const Scan& scan, const std::vector<i
   return samples;
 }
 
-/// The pieces of the plan that samples cover, largest first.
-std::vector<PlanPolygon> plan_pieces(const std::vector<SurfaceSample>& samples, double spacing,
-                                     double tolerance, double least_piece) {
-  std::vector<Eigen::Vector3d> flat;
-  for (const SurfaceSample& sample : samples) {
-    flat.emplace_back(sample.point.x(), sample.point.y(), 0.0);
+/// Adds the samples that are no roof's to those of roofs where there are none of these in the cell
+/// or beside it: what leans is a wall by its slope and yet covers ground, while the noise of walls
+/// below a roof would only blur its outline.
+void add_uncovered(const std::vector<SurfaceSample>& samples, const std::vector<bool>& is_roof,
+                   double cell, std::vector<Eigen::Vector3d>* flat) {
+  using Cell = std::pair<int, int>;
+  const auto cell_of = [cell](const Eigen::Vector3d& p) {
+    return Cell{static_cast<int>(std::floor(p.x() / cell)),
+                static_cast<int>(std::floor(p.y() / cell))};
+  };
+  std::set<Cell> covered;
+  for (const Eigen::Vector3d& p : *flat) {
+    const auto [x, y] = cell_of(p);
+    for (int k = 0; k < 9; ++k) covered.insert({x + k % 3 - 1, y + k / 3 - 1});
   }
-  const OrientedPlane ground(Eigen::Vector3d::UnitZ(), 0.0);
+  for (const SurfaceSample& sample : samples) {
+    if (sample.shape < 0 || is_roof[sample.shape] || covered.count(cell_of(sample.point))) continue;
+    flat->emplace_back(sample.point.x(), sample.point.y(), 0.0);
+  }
+}
+
+/// The pieces of the ground that points on it cover, largest first.
+std::vector<PlanPolygon> plan_pieces(const std::vector<Eigen::Vector3d>& flat,
+                                     const OrientedPlane& ground, double spacing, double tolerance,
+                                     double least_piece) {
   std::vector<PlanPolygon> pieces;
   double largest = 0.0;
   for (const SpacePolygon& polygon : inlier_polygons(flat, ground, {spacing})) {
@@ -108,11 +131,18 @@ std::vector<PlanPolygon> plan_pieces(const std::vector<SurfaceSample>& samples, 
   return pieces;
 }
 
-/// The heights that are seen from above, each speaking for its share of a cell of the plan.
-std::vector<HeightSample> seen_from_above(const std::vector<SurfaceSample>& samples,
-                                          const std::vector<int>& plane_of_shape,
-                                          const std::vector<Plane>& planes, double cell,
-                                          double noise) {
+/// Heights, and which plane's each of them is.
+struct SeenFromAbove {
+  std::vector<HeightSample> heights;
+  std::vector<int> planes;
+};
+
+/// The heights that are seen from above where there are no overhangs, each speaking for its share
+/// of a cell of the plan.
+SeenFromAbove seen_from_above(const std::vector<SurfaceSample>& samples,
+                              const std::vector<bool>& overhangs,
+                              const std::vector<int>& plane_of_shape,
+                              const std::vector<Plane>& planes, double cell, double noise) {
   struct Seen {
     int sample;
     double top;  // height of the sample's plane there: free of noise
@@ -120,12 +150,12 @@ std::vector<HeightSample> seen_from_above(const std::vector<SurfaceSample>& samp
   std::map<std::pair<int, int>, std::vector<Seen>> cells;
   for (size_t i = 0; i < samples.size(); ++i) {
     const SurfaceSample& sample = samples[i];
-    if (sample.shape < 0 || plane_of_shape[sample.shape] < 0) continue;
+    if (sample.shape < 0 || plane_of_shape[sample.shape] < 0 || overhangs[i]) continue;
     const Eigen::Vector2d p = sample.point.head<2>();
     cells[{static_cast<int>(std::floor(p.x() / cell)), static_cast<int>(std::floor(p.y() / cell))}]
         .push_back({static_cast<int>(i), planes[plane_of_shape[sample.shape]].at(p)});
   }
-  std::vector<HeightSample> seen;
+  SeenFromAbove seen;
   for (auto& [key, members] : cells) {
     double top = members.front().top;
     for (const Seen& s : members) top = std::max(top, s.top);
@@ -133,10 +163,62 @@ std::vector<HeightSample> seen_from_above(const std::vector<SurfaceSample>& samp
       return s.top < top - kNoisesBelow * noise - kWidthsBelow * cell;
     });
     for (const Seen& s : members) {
-      seen.push_back({samples[s.sample].point, cell * cell / static_cast<double>(members.size())});
+      const SurfaceSample& sample = samples[s.sample];
+      seen.heights.push_back({sample.point, cell * cell / static_cast<double>(members.size())});
+      seen.planes.push_back(plane_of_shape[sample.shape]);
     }
   }
   return seen;
+}
+
+/// Planes, and where each is seen.
+struct OfferedPlanes {
+  std::vector<Plane> planes;
+  std::vector<Eigen::AlignedBox3d> reaches;
+};
+
+/// The planes of which most is seen, until they hold a share of all that is; each may be used
+/// within `margin` of where it is seen in plan, and in height where it is steep.
+OfferedPlanes offered_planes(const std::vector<Plane>& planes, const SeenFromAbove& seen,
+                             double share, double margin) {
+  std::vector<double> areas(planes.size(), 0.0);
+  std::vector<Eigen::AlignedBox3d> boxes(planes.size());
+  double left = 0.0;
+  for (size_t i = 0; i < seen.heights.size(); ++i) {
+    areas[seen.planes[i]] += seen.heights[i].weight;
+    boxes[seen.planes[i]].extend(seen.heights[i].point);
+    left += share * seen.heights[i].weight;
+  }
+  std::vector<size_t> order(planes.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return areas[a] > areas[b]; });
+  OfferedPlanes offered;
+  for (const size_t i : order) {
+    if (left <= 0.0 || areas[i] <= 0.0) break;
+    left -= areas[i];
+    const double slope = std::hypot(planes[i].a, planes[i].b);
+    const double up = slope < kSteep ? kLargest : margin;
+    const Eigen::Vector3d around(margin, margin, up);
+    offered.planes.push_back(planes[i]);
+    offered.reaches.emplace_back(boxes[i].min() - around, boxes[i].max() + around);
+  }
+  return offered;
+}
+
+/// The options at a scale whose shapes are `rms` from their elements.
+ClosingOptions closing_options(double rms, double spacing, const ScanSolidOptions& options) {
+  ClosingOptions closing = options.closing;
+  const double part = std::max(rms, options.least_rms) / options.coarse_rms;
+  closing.loss_scale = std::clamp(3.0 * rms, kLeastLossScale, closing.loss_scale);
+  closing.refinement.loss_scale = closing.loss_scale;
+  closing.boundary_cost *= part;
+  closing.step_cost *= part;
+  closing.plane_charge *= part;
+  // What is shorter is not seen at this spacing.
+  closing.least_step_length =
+      std::max(std::min(part, 1.0) * closing.least_step_length, kSpacingsPerStep * spacing);
+  return closing;
 }
 
 void measure(const std::vector<SurfaceSample>& samples, ScanSolid* model) {
@@ -169,8 +251,17 @@ std::string check(const ScanSolidOptions& options) {
   if (!(options.least_piece >= 0.0 && options.least_piece <= 1.0)) {
     return "least_piece must lie in [0, 1]";
   }
-  if (options.most_planes < 1 || options.most_planes > 1000) {
-    return "most_planes must lie in [1, 1000]";
+  if (!(options.overhang >= 0.0 && options.overhang <= 10.0)) {
+    return "overhang must lie in [0, 10] m";
+  }
+  if (!(options.coarse_rms > 0.0 && options.coarse_rms <= 100.0)) {
+    return "coarse_rms must lie in (0, 100] m";
+  }
+  if (!(options.least_rms > 0.0 && options.least_rms <= options.coarse_rms)) {
+    return "least_rms must lie in (0, coarse_rms]";
+  }
+  if (!(options.offered_share > 0.0 && options.offered_share <= 1.0)) {
+    return "offered_share must lie in (0, 1]";
   }
   if (options.most_samples < 100 || options.most_samples > 10000000) {
     return "most_samples must lie in [100, 1e7]";
@@ -180,6 +271,7 @@ std::string check(const ScanSolidOptions& options) {
 
 ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSolidOptions& options) {
   CHECK(check(options).empty()) << check(options);
+  CHECK_EQ(scale.shape_of.size(), scan.num_elements());
   ScanSolid model;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : scan.points) box.extend(p);
@@ -192,13 +284,7 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
       surface_samples(scan, scale.shape_of, model.origin, options.most_samples);
   std::vector<Plane> planes;
   std::vector<int> plane_of_shape(scale.shapes.size(), -1);
-  std::vector<size_t> order(scale.shapes.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-    return scale.shapes[a].inliers > scale.shapes[b].inliers;
-  });
-  for (const size_t s : order) {
-    if (static_cast<int>(planes.size()) == options.most_planes) break;
+  for (size_t s = 0; s < scale.shapes.size(); ++s) {
     const OrientedPlane& plane = scale.shapes[s].plane;
     const Eigen::Vector3d normal = plane.normal();
     if (std::abs(normal.z()) < options.least_up) continue;
@@ -210,22 +296,40 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
     model.reason = "no shape of the scan faces up";
     return model;
   }
-  std::vector<Eigen::Vector3d> flat;
-  for (const SurfaceSample& sample : samples) {
-    flat.emplace_back(sample.point.x(), sample.point.y(), 0.0);
-  }
+  std::vector<bool> is_roof(scale.shapes.size());
+  for (size_t s = 0; s < is_roof.size(); ++s) is_roof[s] = plane_of_shape[s] >= 0;
+  // Walls are seen edge-on in plan: their samples would say nothing of how dense the others are.
+  const OrientedPlane ground(Eigen::Vector3d::UnitZ(), 0.0);
+  const auto on_ground = [&](const auto& is_wanted) {
+    std::vector<Eigen::Vector3d> flat;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      const SurfaceSample& sample = samples[i];
+      if (sample.shape < 0 || !is_roof[sample.shape] || !is_wanted(i)) continue;
+      flat.emplace_back(sample.point.x(), sample.point.y(), 0.0);
+    }
+    return flat;
+  };
   const double spacing =
-      std::max(planar_spacing(flat, OrientedPlane(Eigen::Vector3d::UnitZ(), 0.0)), 1e-3);
-  const double tolerance = std::max({options.outline_tolerance, 2.0 * spacing, 3.0 * scale.rms});
-  const std::vector<HeightSample> heights =
-      seen_from_above(samples, plane_of_shape, planes, 2.0 * spacing, scale.rms);
+      std::max(planar_spacing(on_ground([](size_t) { return true; }), ground), 1e-3);
+  const double tolerance = std::max({options.outline_tolerance, spacing, 3.0 * scale.rms});
+  const ClosingOptions closing = closing_options(scale.rms, spacing, options);
+  const std::vector<WallTrace> walls =
+      wall_traces(samples, scale.shapes, model.origin, options.least_up, closing.least_step_length);
+  const std::vector<bool> overhangs = find_overhangs(samples, is_roof, walls, options.overhang);
+  std::vector<Eigen::Vector3d> covered = on_ground([&](size_t i) { return !overhangs[i]; });
+  add_uncovered(samples, is_roof, 2.0 * spacing, &covered);
+  const SeenFromAbove seen =
+      seen_from_above(samples, overhangs, plane_of_shape, planes, 2.0 * spacing, scale.rms);
+  const OfferedPlanes offered = offered_planes(planes, seen, options.offered_share, 4.0 * spacing);
+  ClosingEvidence evidence{{}, offered.reaches};
+  for (const WallTrace& wall : walls) evidence.traces.push_back(wall.line);
 
-  ClosingOptions closing = options.closing;
-  closing.loss_scale = std::clamp(3.0 * scale.rms, 0.05, closing.loss_scale);
-  closing.refinement.loss_scale = closing.loss_scale;
   const double base = box.min().z() - model.origin.z() - 2.0 * closing.clearance;
-  for (const PlanPolygon& piece : plan_pieces(samples, spacing, tolerance, options.least_piece)) {
-    ClosedPlanes closed = close_planes(piece, planes, heights, base, closing);
+  for (const PlanPolygon& piece :
+       plan_pieces(covered, ground, spacing, tolerance, options.least_piece)) {
+    const PlanPolygon outline = traced_outline(piece, evidence.traces, 2.0 * tolerance);
+    ClosedPlanes closed =
+        close_planes(outline, offered.planes, seen.heights, base, closing, evidence);
     if (!closed.reason.empty()) {
       model.reason = closed.reason;
       continue;
@@ -240,6 +344,26 @@ ScanSolid close_scale(const Scan& scan, const ScaleShapes& scale, const ScanSoli
   model.reason.clear();
   measure(samples, &model);
   return model;
+}
+
+std::vector<ScanSolid> close_scales(const Scan& scan, const std::vector<ScaleShapes>& scales,
+                                    const ScanSolidOptions& options) {
+  std::vector<ScanSolid> models;
+  std::vector<size_t> closed;
+  for (size_t k = 0; k < scales.size(); ++k) {
+    models.push_back(close_scale(scan, scales[k], options));
+    models.back().scale = static_cast<int>(k);
+    if (models.back().reason.empty()) closed.push_back(k);
+  }
+  for (size_t i = 1; i < closed.size(); ++i) {
+    const ScanSolid& finer = models[closed[i - 1]];
+    if (models[closed[i]].facets > finer.facets) models[closed[i]] = finer;
+  }
+  for (size_t i = closed.size(); i-- > 1;) {
+    const ScanSolid& coarser = models[closed[i]];
+    if (models[closed[i - 1]].rms > coarser.rms) models[closed[i - 1]] = coarser;
+  }
+  return models;
 }
 
 }  // namespace gable

@@ -100,7 +100,7 @@ void run(const ShapesOptions& options, const CommandContext& context) {
   if (report) write_report(report->staging(), report_of(scan, detected, options));
   std::string closed_table;
   if (solids) {
-    const std::vector<ScanSolid> closed = close_scales(options.scan, scan, detected);
+    const std::vector<ScanSolid> closed = close_detected_scales(options.scan, scan, detected);
     write_solids(solids->staging(), closed, detected.first_shapes.diagonal);
     closed_table = solids_table(closed, detected.first_shapes.diagonal);
   }

@@ -5,6 +5,7 @@
 #include <gable/engine/io/number_text.h>
 #include <gable/engine/io/obj_writer.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -36,14 +37,11 @@ void append_member(const char* name, double value, std::string* text) {
 
 }  // namespace
 
-std::vector<ScanSolid> close_scales(const std::string& scan_name, const Scan& scan,
-                                    const DetectedScales& detected) {
-  std::vector<ScanSolid> solids;
-  bool any = false;
-  for (const ScaleShapes& scale : detected.scales) {
-    solids.push_back(close_scale(scan, scale, {}));
-    any = any || solids.back().reason.empty();
-  }
+std::vector<ScanSolid> close_detected_scales(const std::string& scan_name, const Scan& scan,
+                                             const DetectedScales& detected) {
+  std::vector<ScanSolid> solids = close_scales(scan, detected.scales, {});
+  const bool any = std::any_of(solids.begin(), solids.end(),
+                               [](const ScanSolid& solid) { return solid.reason.empty(); });
   if (!any) {
     throw Error(ExitCode::kBadInput,
                 scan_name + ": no scale can be closed into a solid: " +
@@ -65,6 +63,7 @@ void write_solids(const std::string& folder, const std::vector<ScanSolid>& solid
     }
     write_solid((fs::path(folder) / solid_name(i)).string(), i, solid);
     text += ", \"file\": \"" + solid_name(i) + "\"";
+    append_member("shapes_of_scale", solid.scale + 1, &text);
     append_member("planes", solid.planes, &text);
     append_member("facets", solid.facets, &text);
     append_member("triangles", solid.triangles, &text);
@@ -77,7 +76,7 @@ void write_solids(const std::string& folder, const std::vector<ScanSolid>& solid
 }
 
 std::string solids_table(const std::vector<ScanSolid>& solids, double diagonal) {
-  std::string table = "solid  planes  facets  triangles      RMS m    RMS %     mean m\n";
+  std::string table = "solid  scale  planes  facets  triangles      RMS m    RMS %     mean m\n";
   for (size_t i = 0; i < solids.size(); ++i) {
     const ScanSolid& solid = solids[i];
     char line[160];
@@ -85,8 +84,8 @@ std::string solids_table(const std::vector<ScanSolid>& solids, double diagonal) 
       table += "    " + std::to_string(i + 1) + "  none: " + solid.reason + "\n";
       continue;
     }
-    std::snprintf(line, sizeof(line), "%5zu  %6d  %6d  %9d  %9.4g  %7.4f  %9.4g\n", i + 1,
-                  solid.planes, solid.facets, solid.triangles, solid.rms,
+    std::snprintf(line, sizeof(line), "%5zu  %5d  %6d  %6d  %9d  %9.4g  %7.4f  %9.4g\n", i + 1,
+                  solid.scale + 1, solid.planes, solid.facets, solid.triangles, solid.rms,
                   diagonal > 0.0 ? 100.0 * solid.rms / diagonal : 0.0, solid.mean);
     table += line;
   }

@@ -11,13 +11,14 @@ namespace gable {
 
 /// The closed model of every scale, finest first. Throws Error (kBadInput) naming `scan_name` where
 /// no scale can be closed.
-std::vector<ScanSolid> close_scales(const std::string& scan_name, const Scan& scan,
-                                    const DetectedScales& detected);
+std::vector<ScanSolid> close_detected_scales(const std::string& scan_name, const Scan& scan,
+                                             const DetectedScales& detected);
 
 /// Writes solid-K.obj (1: finest) of the scales that could be closed, and solids.json with their
 /// figures, into a folder:
 ///
 ///     {"solids": [{"scale": 1, "file": "solid-1.obj",   null where there is none
+///                  "shapes_of_scale": 1,   whose shapes were closed, see close_scales
 ///                  "planes": 12,       of the roofs
 ///                  "facets": 40, "triangles": 80,   of the closed model
 ///                  "rms": 0.12,        metres, of the scan to the model's surface

@@ -1,4 +1,5 @@
 #include <gable/engine/closing/close_planes.h>
+#include <gable/engine/closing/roof_defects.h>
 #include <gable/grammar/random.h>
 #include <gable/grammar/solid/triangulate.h>
 #include <gable/grammar/solid/validity.h>
@@ -154,6 +155,68 @@ TEST(ClosePlanes, LevelRoofStandsInWherePlanesComeDownToTheBase) {
   const ClosedPlanes closed = close_planes(outline, planes, samples, 0.0, {});
   EXPECT_EQ(closed.origins, std::vector<int>{-1});
   EXPECT_NEAR(volume_of(closed), 400.0, 1e-6);
+}
+
+TEST(ClosePlanes, StepsFollowTheTracesOfWalls) {
+  // The step at x = 5 is blurred; the wall that was seen says where it is.
+  const PlanPolygon outline = rectangle(0, 0, 12, 8);
+  const std::vector<Plane> planes = {{0, 0, 3}, {0, 0, 6}};
+  const auto samples = sample_roof(
+      outline, [](const auto& p) { return p.x() < 5 + 0.3 * std::sin(4 * p.y()) ? 3.0 : 6.0; }, 0.5,
+      0.0, 1);
+  ClosingEvidence evidence;
+  PlanLine wall{Eigen::Vector2d::UnitX(), 5.1};
+  wall.begin = 2.0;
+  wall.end = 6.0;
+  evidence.traces.push_back(wall);
+  const ClosedPlanes closed =
+      close_planes(outline, planes, samples, 0.0, without_refits(), evidence);
+  ASSERT_EQ(closed.reason, "");
+  EXPECT_EQ(closed.solids[0].faces.size(), 8u);
+  EXPECT_NEAR(volume_of(closed), 8 * (5.1 * 3 + 6.9 * 6), 1e-6);
+}
+
+TEST(ClosePlanes, PlanesStayWhereTheyWereSeen) {
+  // The second plane would fit both ends, but reaches only one.
+  const PlanPolygon outline = rectangle(0, 0, 12, 4);
+  const std::vector<Plane> planes = {{0, 0, 3}, {0, 0, 6}, {0, 0, 6.1}};
+  const auto samples = sample_roof(
+      outline, [](const auto& p) { return p.x() > 3 && p.x() < 10 ? 3.0 : 6.0; }, 0.5, 0.0, 1);
+  ClosingEvidence evidence;
+  const Eigen::Vector3d far = Eigen::Vector3d::Constant(100.0);
+  evidence.reaches = {{-far, far},
+                      {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(3.2, 5, 9)},
+                      {Eigen::Vector3d(9.8, -1, 0), Eigen::Vector3d(13, 5, 9)}};
+  const ClosedPlanes closed =
+      close_planes(outline, planes, samples, 0.0, without_refits(), evidence);
+  ASSERT_EQ(closed.reason, "");
+  EXPECT_EQ(closed.origins, (std::vector<int>{0, 1, 2}));
+  EXPECT_NEAR(volume_of(closed), 4 * (3 * 6 + 7 * 3 + 2 * 6.1), 1e-6);
+}
+
+TEST(ClosePlanes, CornersThatCrowdAreLoosened) {
+  // Three steps, of which two would meet the third 1 mm apart.
+  const PlanPolygon outline = rectangle(0, 0, 12, 8);
+  const std::vector<Plane> planes = {{0, 0, 3}, {0, 0, 5}, {0, 0, 7}, {0, 0, 9}};
+  const auto samples = sample_roof(
+      outline,
+      [](const auto& p) { return p.x() < 6 ? (p.y() < 4 ? 3.0 : 5.0) : (p.y() < 4 ? 7.0 : 9.0); },
+      0.5, 0.0, 1);
+  const auto trace = [](const Eigen::Vector2d& normal, double offset, double begin, double end) {
+    PlanLine line{normal, offset};
+    line.begin = begin;
+    line.end = end;
+    return line;
+  };
+  ClosingEvidence evidence;
+  evidence.traces = {trace(Eigen::Vector2d::UnitX(), 6.0, 0, 8),
+                     trace(Eigen::Vector2d::UnitY(), 4.0, -5.5, -0.5),
+                     trace(Eigen::Vector2d::UnitY(), 4.001, -11.5, -6.5)};
+  const ClosedPlanes closed =
+      close_planes(outline, planes, samples, 0.0, without_refits(), evidence);
+  ASSERT_EQ(closed.reason, "");
+  EXPECT_NEAR(volume_of(closed), 24 * (3 + 5 + 7 + 9), 2.0);
+  EXPECT_TRUE(find_roof_defects(closed.roof, 0.003).crowded.empty());
 }
 
 TEST(ClosePlanes, RandomPlanesOverRandomOutlinesCloseWatertight) {

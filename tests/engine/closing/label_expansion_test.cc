@@ -98,6 +98,25 @@ TEST(LabelExpansion, LabelThatDoesNotPayItsChargeIsGivenUp) {
   EXPECT_EQ(labels, (std::vector<int>{0, 0, 0}));
 }
 
+TEST(LabelExpansion, ImpossibleLabelsAreNeverTakenAndSpareOnlyWork) {
+  for (uint64_t seed = 0; seed < 40; ++seed) {
+    RandomProblem random(seed, 12, 5, 0.7);
+    // Two thirds of the labels are out of question at a site; label 0 never is.
+    Random choice(seed + 1000);
+    for (int i = 0; i < 12; ++i) {
+      for (int l = 1; l < 5; ++l) {
+        if (choice.uniform(0.0, 1.0) < 0.66) random.problem.data[5 * i + l] = 1e6;
+      }
+    }
+    std::vector<int> all(12, 0), spared(12, 0);
+    const double cost = expand_labels(random.problem, &all);
+    random.problem.impossible = 1e6;
+    EXPECT_NEAR(expand_labels(random.problem, &spared), cost, 1e-9) << "seed " << seed;
+    EXPECT_EQ(spared, all) << "seed " << seed;
+    for (int i = 0; i < 12; ++i) EXPECT_LT(random.problem.at(i, spared[i]), 1e6);
+  }
+}
+
 TEST(LabelExpansion, NothingToLabelCostsNothing) {
   LabelProblem problem;
   problem.num_labels = 3;

@@ -14,8 +14,8 @@ std::vector<PlanLine> lines_of(const PlanPolygon& outline, const std::vector<Pla
   ClosingOptions options;
   options.snap_distance = snap;
   const SampleGrid grid = make_sample_grid(samples, options.max_grid);
-  const std::vector<int> labels = label_grid(grid, samples, planes, options, {});
-  return find_plan_lines(grid, labels, planes, outline, options);
+  const std::vector<int> labels = label_grid(grid, samples, planes, {}, options, {});
+  return find_plan_lines(grid, labels, planes, outline, {}, options);
 }
 
 TEST(PlanLines, PlanesMeetAlongTheirCrease) {

@@ -34,7 +34,7 @@ TEST(SampleGrid, LabelsOfOutliersAreThoseOfTheirSurroundings) {
   const SampleGrid grid = make_sample_grid(samples, 4000);
   ClosingOptions options;
   options.boundary_cost = 2.0;
-  const auto labels = label_grid(grid, samples, {{0, 0, 3}, {0, 0, 5}}, options, {});
+  const auto labels = label_grid(grid, samples, {{0, 0, 3}, {0, 0, 5}}, {}, options, {});
   for (int row = 0; row < grid.rows; ++row) {
     for (int col = 0; col < grid.cols; ++col) {
       EXPECT_EQ(labels[grid.index(row, col)], col < 8 ? 0 : 1);
