@@ -1,5 +1,6 @@
 #include <gable/engine/io/building_plan.h>
 #include <gable/engine/reconstruct/building_fit.h>
+#include <gable/engine/reconstruct/height_crop.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ std::vector<double> model_heights(const HeightImage& image, const Building& buil
 BuildingFit fit_of_building(const HeightImage& image, const Building& building) {
   const std::vector<double> model = model_heights(image, building);
   BuildingFit fit;
-  double sum = 0.0, squares = 0.0, beyond = 0.0;
+  double sum = 0.0, squares = 0.0, beyond = 0.0, intrusion = 0.0;
   int good = 0;
   for (size_t i = 0; i < image.size(); ++i) {
     const bool covered = !std::isnan(model[i]);
@@ -42,6 +43,7 @@ BuildingFit fit_of_building(const HeightImage& image, const Building& building) 
     const double difference = std::abs((covered ? model[i] : image.ground[i]) - image.height[i]);
     if (!image.inside[i]) {
       beyond += image.weight[i] * difference;
+      if (is_taken(image, i)) intrusion += std::abs(model[i] - image.ground[i]);
       continue;
     }
     if (!is_evidence(image, i)) continue;
@@ -55,6 +57,7 @@ BuildingFit fit_of_building(const HeightImage& image, const Building& building) 
     fit.rmse = std::sqrt(squares / fit.pixels);
     fit.good = static_cast<double>(good) / fit.pixels;
     fit.charge = (sum + beyond) / fit.pixels;
+    fit.intrusion = intrusion / fit.pixels;
   }
   return fit;
 }

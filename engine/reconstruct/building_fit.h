@@ -14,6 +14,9 @@ struct BuildingFit {
   /// `mad` with what the model covers beyond the inside pixels added: the sum of all differences,
   /// weighted, over the number of inside pixels, metres.
   double charge = 0.0;
+  /// What the model covers of pixels that are taken (`is_taken`): the sum of its heights over their
+  /// terrain over the number of inside pixels, metres.
+  double intrusion = 0.0;
   double base = 0.0;  ///< lowest terrain under model and inside pixels, metres, <= 0
 };
 

@@ -30,7 +30,7 @@ std::vector<size_t> cut_found_row(const HeightRaster& dsm, const HeightRaster& d
                                   const RowCutOptions& options, FoundHouses* found) {
   std::vector<size_t> places = {index};
   const FoundHouse whole = found->houses[index];
-  if (whole.num_cells * dsm.grid.gsd * dsm.grid.gsd <= options.most_area) return places;
+  if (whole.num_cells * dsm.grid.gsd * dsm.grid.gsd <= options.least_row) return places;
   const std::vector<int> pieces = cut_rows(image_of(dsm, dtm, *found, index), options);
   found->houses[index] = {};
   size_t i = 0;

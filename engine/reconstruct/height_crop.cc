@@ -42,10 +42,10 @@ std::string check(const HeightCropOptions& options) {
   if (options.max_cells < 100 || options.max_cells > 100000000) {
     return "max_cells must lie in [100, 1e8]";
   }
-  if (!(options.neighbour >= 0.0 && options.neighbour <= 1.0)) {
-    return "neighbour must lie in [0, 1]";
+  if (!(options.neighbour >= 0.0 && options.neighbour < 0.1)) {
+    return "neighbour must lie in [0, 0.1)";
   }
-  if (!(options.outside >= 0.0 && options.outside <= 1.0)) return "outside must lie in [0, 1]";
+  if (!(options.outside >= 0.1 && options.outside <= 1.0)) return "outside must lie in [0.1, 1]";
   return "";
 }
 

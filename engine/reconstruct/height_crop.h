@@ -23,8 +23,10 @@ enum class CellRole : uint8_t {
 struct HeightCropOptions {
   double margin = 3.5;      ///< of terrain around the building's cells, metres, [0, 100]
   int max_cells = 40000;    ///< larger crops are thinned by a whole factor, [100, 1e8]
-  double neighbour = 0.05;  ///< weight of a neighbour's cells where the outline is known, [0, 1]
-  /// Weight of open cells where the outline is known, [0, 1]: the building ends at it in any case.
+  /// Weight of a neighbour's cells where the outline is known, [0, 0.1); see `is_taken`.
+  double neighbour = 0.05;
+  /// Weight of open cells where the outline is known, [0.1, 1]: the building ends at it in any
+  /// case.
   double outside = 0.2;
 };
 
@@ -46,6 +48,10 @@ CellBox with_margin(const CellBox& box, double margin, const Grid& grid);
 HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const CellBox& box,
                          const std::vector<CellRole>& roles, bool outline_known,
                          const HeightCropOptions& options);
+
+/// Whether a pixel of a crop is known to be another building's, or nothing is known of it: crops
+/// weigh these less than open ground.
+inline bool is_taken(const HeightImage& image, size_t pixel) { return image.weight[pixel] < 0.1f; }
 
 /// Expresses an image relative to another origin; the world points of its pixels stay.
 void move_origin(const Eigen::Vector3d& origin, HeightImage* image);

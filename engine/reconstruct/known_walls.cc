@@ -43,7 +43,8 @@ size_t num_corners(const PlanPolygon& polygon) {
   return count;
 }
 
-// What walls cost: their house's distance from the heights and the price of its solids, which count
+// What walls cost: their house's distance from the heights, what it takes of its neighbours' ground
+// (eaves may reach over open ground, but not over theirs) and the price of its solids. These count
 // once the distance is no more than it may be.
 struct Cost {
   bool too_far = true;
@@ -57,7 +58,7 @@ struct Cost {
 // What walls cost, or an infinite cost where that is no less than `least` or without valid solids.
 Cost cost_below(const Cost& least, const HeightImage& image, Building building, double farthest) {
   const BuildingFit fit = fit_of_building(image, building);
-  Cost cost{fit.charge > farthest, fit.charge};
+  Cost cost{fit.charge > farthest, fit.charge + fit.intrusion};
   if (!(cost < least)) return {};
   building.base = fit.base;
   constexpr std::array<Lod, 1> kFinest = {kHouseLods.back()};

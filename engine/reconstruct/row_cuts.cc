@@ -39,6 +39,7 @@ class RowCutter {
     }
     if (all.empty()) return piece_;
     for (const size_t i : all) piece_[i] = 0;
+    if (all.size() * cell_area() <= options_.least_row) return piece_;
     num_pieces_ = 1;
     std::vector<int> open = components_of(all);
     while (!open.empty()) {
@@ -303,6 +304,9 @@ class RowCutter {
 }  // namespace
 
 std::string check(const RowCutOptions& options) {
+  if (!(options.least_row >= 20.0 && options.least_row <= 1e6)) {
+    return "least_row must lie in [20, 1e6] square metres";
+  }
   if (!(options.most_area >= 20.0 && options.most_area <= 1e6)) {
     return "most_area must lie in [20, 1e6] square metres";
   }

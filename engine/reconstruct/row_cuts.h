@@ -9,7 +9,10 @@ namespace gable {
 
 /// How rows of houses that hang together are cut into pieces of few blocks.
 struct RowCutOptions {
-  /// Pieces of no more than this are left whole, square metres, [20, 1e6].
+  /// What covers no more than this is one house and left whole, square metres, [20, 1e6]. The
+  /// largest houses of the prior (docs/prior.md) cover 260.
+  double least_row = 300.0;
+  /// Pieces of a row are cut again until they cover no more than this, square metres, [20, 1e6].
   double most_area = 150.0;
   /// A cut leaves no piece smaller than this, square metres, [0, 1000].
   double least_part = 16.0;
@@ -30,8 +33,8 @@ struct RowCutOptions {
 /// Empty if the options are in range; otherwise names the violated bound.
 std::string check(const RowCutOptions& options);
 
-/// Cuts the inside pixels of an image along straight lines, again and again, until no piece is
-/// larger than `most_area` or looks like one building. Each cut is the line of least ratio of the
+/// Cuts the inside pixels of an image along straight lines, again and again, until every piece is
+/// no larger than `most_area` or looks like one building. Each cut is the line of least ratio of the
 /// wall that would stand there (its length times the height above the terrain of its lower side,
 /// less along seams) to the area of the smaller side: the ratio cut of
 /// image segmentation (Wang and Siskind, PAMI 2003) with lines for curves. What a cut leaves in

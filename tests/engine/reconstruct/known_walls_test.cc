@@ -177,6 +177,25 @@ TEST(KnownWalls, KeepAYard) {
   EXPECT_FALSE(OutlinedHouse(flat, walls).at_local({0.0, 0.0}));
 }
 
+TEST(KnownWalls, StayOffANeighboursGround) {
+  // The house's block reaches half a metre over the party wall, where nothing can be seen of it.
+  const House house = box_house(12.0, 8.0, gable_roof(5.0, 3.0, Axis::kX));
+  const PlanPolygon outline{{{-6.0, -4.0}, {5.5, -4.0}, {5.5, 4.0}, {-6.0, 4.0}}, {}};
+  HeightImage image = image_of(house, outline);
+  for (int row = 0; row < image.rows; ++row) {
+    for (int col = 0; col < image.cols; ++col) {
+      const size_t i = image.index(row, col);
+      if (image.center_of(row, col).x() > 5.5) image.weight[i] = 0.05f;
+    }
+  }
+  const Building building = building_of(house);
+  EXPECT_GT(fit_of_building(image, building).intrusion, 0.1);
+  Building walled = building;
+  walled.walls = known_walls(outline, image, building, 100.0);
+  ASSERT_FALSE(walled.walls.empty());
+  EXPECT_EQ(fit_of_building(image, walled).intrusion, 0.0);
+}
+
 TEST(KnownWalls, AnOutlineWithoutAreaGivesNone) {
   const HeightImage image = image_of(kGabled, kOblique);
   const PlanPolygon line{{{-6.0, 0.0}, {6.0, 0.0}, {0.0, 0.0}}, {}};

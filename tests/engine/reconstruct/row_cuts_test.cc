@@ -55,8 +55,9 @@ double share_right(const std::vector<int>& piece, const std::vector<int>& truth)
 }
 
 TEST(RowCuts, APieceThatIsNoLargerThanAHouseIsLeftWhole) {
+  // 16 m x 18 m, the step of a row in its middle.
   const HeightImage image = image_of(40, 60, [](const Eigen::Vector2d& p) {
-    return p.x() > 2 && p.x() < 14 && -p.y() > 2 && -p.y() < 14 ? (p.x() < 8 ? 4.0 : 7.0) : 0.0;
+    return p.x() > 2 && p.x() < 18 && -p.y() > 1 && -p.y() < 19 ? (p.x() < 10 ? 4.0 : 7.0) : 0.0;
   });
   const std::vector<int> piece = cut_rows(image, {});
   for (size_t i = 0; i < piece.size(); ++i) EXPECT_EQ(piece[i], image.inside[i] ? 0 : -1);
@@ -176,6 +177,7 @@ TEST(RowCuts, AnImageWithNothingInsideHasNoPieces) {
 
 TEST(RowCuts, OptionsOutOfRangeAreNamed) {
   EXPECT_EQ(check(RowCutOptions{}), "");
+  EXPECT_NE(check(RowCutOptions{.least_row = 1.0}).find("least_row"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.most_area = 1.0}).find("most_area"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.least_part = -1.0}).find("least_part"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.step = 0.0}).find("step"), std::string::npos);

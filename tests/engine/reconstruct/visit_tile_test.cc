@@ -87,17 +87,17 @@ TEST_F(VisitTile, WindowsThatAreLeftOutChangeNothingInTheOthers) {
 }
 
 TEST_F(VisitTile, ARowIsCutIntoItsHousesUnlessLeftWhole) {
-  add_slab({40, 20, 60, 40}, 5.0f);
-  add_slab({40, 40, 60, 60}, 7.0f);
-  add_slab({40, 60, 60, 80}, 5.0f);
+  add_slab({40, 20, 64, 40}, 5.0f);
+  add_slab({40, 40, 64, 60}, 7.0f);
+  add_slab({40, 60, 64, 80}, 5.0f);
   add_slab({20, 100, 40, 130}, 5.0f);
   const Visited cut = visit();
-  EXPECT_EQ(cut.cells, (std::vector<long>{600, 400, 400, 400}));
+  EXPECT_EQ(cut.cells, (std::vector<long>{600, 480, 480, 480}));
   EXPECT_EQ(cut.of_row, (std::vector<char>{0, 1, 1, 1}));
-  EXPECT_EQ(cut.ids, (std::vector<std::string>{"b4000575_1999850", "b4000150_1999750",
-                                               "b4000250_1999750", "b4000350_1999750"}));
+  EXPECT_EQ(cut.ids, (std::vector<std::string>{"b4000575_1999850", "b4000150_1999740",
+                                               "b4000250_1999740", "b4000350_1999740"}));
   const Visited whole = visit({}, 200, false);
-  EXPECT_EQ(whole.cells, (std::vector<long>{600, 1200}));
+  EXPECT_EQ(whole.cells, (std::vector<long>{600, 1440}));
   EXPECT_EQ(whole.of_row, (std::vector<char>{0, 0}));
 }
 
