@@ -58,11 +58,16 @@ void drop_roofs(const cv::Mat& roughness, double gsd, const VegetationOptions& o
 
 }  // namespace
 
+// On coarse cells a ridge or the eaves lie in every neighbourhood of a narrow steep roof, and only
+// how rough a patch is tells it from a crown.
+constexpr double kContrastPerScale = 0.33;
+
 VegetationOptions vegetation_at(const VegetationOptions& options, double gsd) {
   VegetationOptions scaled = options;
   const double scale = std::max(1.0, gsd / 0.5);
   scaled.roughness *= scale;
   scaled.least_width *= scale;
+  scaled.least_contrast += kContrastPerScale * (scale - 1.0);
   return scaled;
 }
 

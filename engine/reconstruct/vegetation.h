@@ -9,9 +9,9 @@ namespace gable {
 /// What tells tree crowns from roofs.
 struct VegetationOptions {
   double roughness = 0.17;    ///< least deviation from any plane nearby, metres, > 0
-  /// Patches whose mean roughness is less than this times `roughness` are kept: narrow steep roofs,
-  /// whose ridges and eaves lie in every neighbourhood, >= 1.
-  double least_contrast = 1.33;
+  /// Patches whose mean roughness is less than this times `roughness` are kept, >= 1: none. Coarse
+  /// cells need more, see `vegetation_at`.
+  double least_contrast = 1.0;
   double least_height = 1.0;  ///< lower pixels are never vegetation, metres over the terrain
   double least_width = 1.4;   ///< narrower rough patches are kept: chimneys, masts, metres
   double least_area = 4.0;    ///< smaller crowns are kept: dormers, clutter, square metres
