@@ -37,6 +37,7 @@ struct CellBox {
 struct FoundHouse {
   CellBox box;
   int num_cells = 0;
+  int row = 0;  ///< pieces of one row have one number, others 0
 };
 
 /// Buildings on a grid.
@@ -48,6 +49,7 @@ struct FoundHouses {
   Raster<int> label;
   Raster<unsigned char> crown;     ///< 1: a tree crown
   std::vector<FoundHouse> houses;  ///< in the order of their first cells, row by row
+  int num_rows = 0;                ///< that were cut into pieces
   int num_small = 0;               ///< pieces dropped as too small
   int num_crown = 0;               ///< pieces dropped as parts of tree crowns
 };

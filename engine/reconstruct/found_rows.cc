@@ -32,7 +32,9 @@ std::vector<size_t> cut_found_row(const HeightRaster& dsm, const HeightRaster& d
   const FoundHouse whole = found->houses[index];
   if (whole.num_cells * dsm.grid.gsd * dsm.grid.gsd <= options.least_row) return places;
   const std::vector<int> pieces = cut_rows(image_of(dsm, dtm, *found, index), options);
+  const int row_number = ++found->num_rows;
   found->houses[index] = {};
+  found->houses[index].row = row_number;
   size_t i = 0;
   for (int row = whole.box.row0; row < whole.box.row1; ++row) {
     for (int col = whole.box.col0; col < whole.box.col1; ++col, ++i) {
@@ -40,6 +42,7 @@ std::vector<size_t> cut_found_row(const HeightRaster& dsm, const HeightRaster& d
       if (static_cast<size_t>(pieces[i]) == places.size()) {
         places.push_back(found->houses.size());
         found->houses.emplace_back();
+        found->houses.back().row = row_number;
       }
       const size_t place = places[pieces[i]];
       found->label.at(row, col) = static_cast<int>(place) + 1;

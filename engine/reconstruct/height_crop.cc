@@ -45,6 +45,7 @@ std::string check(const HeightCropOptions& options) {
   if (!(options.neighbour >= 0.0 && options.neighbour < 0.1)) {
     return "neighbour must lie in [0, 0.1)";
   }
+  if (!(options.row >= 0.0 && options.row <= 1.0)) return "row must lie in [0, 1]";
   if (!(options.outside >= 0.1 && options.outside <= 1.0)) return "outside must lie in [0.1, 1]";
   return "";
 }
@@ -88,10 +89,14 @@ HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const
       // What is known of no surface becomes ground of little weight: blocks do not spread over it
       // without need.
       const bool aside = role == CellRole::kCrown || role == CellRole::kCovered ||
-                         (!outline_known && !own && beside_neighbour(roles, rows, cols, row, col));
+                         (!outline_known && !own && role != CellRole::kRow &&
+                          beside_neighbour(roles, rows, cols, row, col));
       if (aside) {
         height = ground;
         weight = std::min(weight, static_cast<float>(options.neighbour));
+      } else if (role == CellRole::kRow) {
+        height = ground;
+        weight = std::min(weight, static_cast<float>(options.row));
       } else if (outline_known && !own) {
         height = ground;
         weight =

@@ -15,6 +15,7 @@ enum class CellRole : uint8_t {
   kOpen,       ///< of no building
   kBuilding,   ///< its own
   kNeighbour,  ///< of another building, or of something else that stands there
+  kRow,        ///< of another piece of the row that it was cut from
   kCrown,      ///< a tree crown
   kCovered,    ///< its own, under a tree crown
 };
@@ -25,6 +26,9 @@ struct HeightCropOptions {
   int max_cells = 40000;    ///< larger crops are thinned by a whole factor, [100, 1e8]
   /// Weight of a neighbour's cells where the outline is known, [0, 0.1); see `is_taken`.
   double neighbour = 0.05;
+  /// Weight of the cells of other pieces of a row, [0, 1]: they are not its own, but where it ends
+  /// between them is known to a cell only.
+  double row = 0.15;
   /// Weight of open cells where the outline is known, [0.1, 1]: the building ends at it in any
   /// case.
   double outside = 0.2;
@@ -42,7 +46,7 @@ CellBox with_margin(const CellBox& box, double margin, const Grid& grid);
 /// box's centre at the median terrain under the building.
 ///
 /// Where the building was found in the heights, neighbours (and cells beside them) and crowns are
-/// left out. Where its outline is known, it ends there whatever stands beyond: open and neighbours'
+/// left out; cells of other pieces of its row become ground. Where its outline is known, it ends there whatever stands beyond: open and neighbours'
 /// cells get the terrain's height, neighbours' with a small weight since they are no evidence of
 /// terrain. Its own covered cells are inside and left out.
 HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const CellBox& box,

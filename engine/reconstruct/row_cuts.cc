@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -37,15 +39,14 @@ class RowCutter {
     for (size_t i = 0; i < image_.size(); ++i) {
       if (image_.inside[i]) all.push_back(i);
     }
-    if (all.empty()) return piece_;
     for (const size_t i : all) piece_[i] = 0;
-    if (all.size() * cell_area() <= options_.least_row) return piece_;
     num_pieces_ = 1;
-    std::vector<int> open = components_of(all);
+    if (all.size() * cell_area() <= options_.least_row) return piece_;
+    std::vector<Pixels> open = components_of(all);
     while (!open.empty()) {
-      const int piece = open.back();
+      const Pixels pixels = std::move(open.back());
       open.pop_back();
-      for (const int part : cut(piece)) open.push_back(part);
+      for (Pixels& part : cut(pixels)) open.push_back(std::move(part));
     }
     number_by_first_pixels();
     return piece_;
@@ -115,15 +116,14 @@ class RowCutter {
 
   /// Makes pieces of the parts of `pixels` that hang together over pixel edges; they all have one
   /// piece's number, which the first of them keeps.
-  std::vector<int> components_of(const Pixels& pixels) {
-    std::vector<int> made;
+  std::vector<Pixels> components_of(const Pixels& pixels) {
+    std::vector<Pixels> parts;
     const int old = piece_[pixels.front()];
     for (const size_t i : pixels) piece_[i] = kUnvisited;
-    Pixels cells;
     for (const size_t seed : pixels) {
       if (piece_[seed] != kUnvisited) continue;
-      const int number = made.empty() ? old : num_pieces_++;
-      cells.assign(1, seed);
+      const int number = parts.empty() ? old : num_pieces_++;
+      Pixels cells = {seed};
       piece_[seed] = number;
       for (size_t next = 0; next < cells.size(); ++next) {
         for_neighbours(cells[next], [&](size_t j) {
@@ -132,9 +132,9 @@ class RowCutter {
           cells.push_back(j);
         });
       }
-      made.push_back(number);
+      parts.push_back(std::move(cells));
     }
-    return made;
+    return parts;
   }
 
   template <typename Visit>
@@ -144,14 +144,6 @@ class RowCutter {
     if (col > 0) visit(i - 1);
     if (col + 1 < image_.cols) visit(i + 1);
     if (row + 1 < image_.rows) visit(i + image_.cols);
-  }
-
-  Pixels pixels_of(int piece) const {
-    Pixels pixels;
-    for (size_t i = 0; i < piece_.size(); ++i) {
-      if (piece_[i] == piece) pixels.push_back(i);
-    }
-    return pixels;
   }
 
   double seam_share(const Pixels& pixels) const {
@@ -220,62 +212,93 @@ class RowCutter {
   }
 
   /// Cuts a piece and returns the pieces that it is now; none where it stays whole.
-  std::vector<int> cut(int piece) {
-    const Pixels pixels = pixels_of(piece);
+  std::vector<Pixels> cut(const Pixels& pixels) {
     if (pixels.size() * cell_area() <= options_.most_area) return {};
     if (seam_share(pixels) <= options_.seams && fill_of(pixels) >= options_.fill) return {};
+    const std::complex<double> axes = axes_of(pixels);
     std::vector<Line> lines;
+    const double first = std::arg(axes) / 4.0;
     for (int k = 0; k < options_.directions; ++k) {
-      const double angle = M_PI * k / options_.directions;
-      const Line line = best_line(pixels, {std::cos(angle), std::sin(angle)});
-      if (std::isfinite(line.ratio)) lines.push_back(line);
+      const double angle = first + M_PI * k / options_.directions;
+      Line line = best_line(pixels, {std::cos(angle), std::sin(angle)});
+      if (!std::isfinite(line.ratio)) continue;
+      // The cosine is 1 along the axes and -1 halfway between them.
+      const double turned = 0.5 * (1.0 - std::cos(4.0 * (angle - first)));
+      line.ratio *= 1.0 + options_.oblique_price * std::abs(axes) * turned;
+      lines.push_back(line);
     }
     std::stable_sort(lines.begin(), lines.end(),
                      [](const Line& a, const Line& b) { return a.ratio < b.ratio; });
     // A line that only cuts crumbs off, which are given back, cuts nothing.
     for (const Line& line : lines) {
-      std::vector<int> parts = cut_along(line, pixels);
+      std::vector<Pixels> parts = cut_along(line, pixels);
       if (parts.size() > 1) return parts;
     }
     return {};
   }
 
-  std::vector<int> cut_along(const Line& line, const Pixels& pixels) {
+  std::vector<Pixels> cut_along(const Line& line, const Pixels& pixels) {
     Pixels first, second;
     for (const size_t i : pixels) {
       (line.normal.dot(center_of(i)) < line.offset ? first : second).push_back(i);
     }
     const int other = num_pieces_++;
     for (const size_t i : second) piece_[i] = other;
-    std::vector<int> parts = components_of(first);
-    for (const int part : components_of(second)) parts.push_back(part);
+    std::vector<Pixels> parts = components_of(first);
+    for (Pixels& part : components_of(second)) parts.push_back(std::move(part));
     give_away_crumbs(&parts);
     return parts;
   }
 
   /// Gives the parts that are too small to the neighbour that they share most edges with.
-  void give_away_crumbs(std::vector<int>* parts) {
+  void give_away_crumbs(std::vector<Pixels>* parts) {
     for (bool changed = true; changed;) {
       changed = false;
       for (size_t k = 0; k < parts->size(); ++k) {
-        const Pixels pixels = pixels_of((*parts)[k]);
-        if (pixels.size() * cell_area() >= options_.least_part) continue;
-        std::vector<int> shared(parts->size(), 0);
-        for (const size_t i : pixels) {
-          for_neighbours(i, [&](size_t j) {
-            const auto at = std::find(parts->begin(), parts->end(), piece_[j]);
-            if (at != parts->end()) ++shared[at - parts->begin()];
-          });
+        const Pixels& crumb = (*parts)[k];
+        if (crumb.size() * cell_area() >= options_.least_part) continue;
+        std::map<int, int> shared;  // by piece
+        for (const size_t i : crumb) {
+          for_neighbours(i, [&](size_t j) { ++shared[piece_[j]]; });
         }
-        shared[k] = 0;
-        const auto most = std::max_element(shared.begin(), shared.end());
-        if (*most == 0) continue;
-        for (const size_t i : pixels) piece_[i] = (*parts)[most - shared.begin()];
+        const auto shared_with = [&](const Pixels& part) { return shared[piece_[part.front()]]; };
+        size_t most = k;
+        for (size_t m = 0; m < parts->size(); ++m) {
+          if (m == k || shared_with((*parts)[m]) == 0) continue;
+          if (most == k || shared_with((*parts)[m]) > shared_with((*parts)[most])) most = m;
+        }
+        if (most == k) continue;
+        const int piece = piece_[(*parts)[most].front()];
+        for (const size_t i : crumb) piece_[i] = piece;
+        (*parts)[most].insert((*parts)[most].end(), crumb.begin(), crumb.end());
         parts->erase(parts->begin() + static_cast<std::ptrdiff_t>(k));
         changed = true;
         break;
       }
     }
+  }
+
+  /// The direction that the roofs of a piece rise in, as the mean of unit vectors at four times the
+  /// angle (directions modulo a quarter turn); its length tells how much they agree.
+  std::complex<double> axes_of(const Pixels& pixels) const {
+    std::complex<double> sum;
+    double weight = 0.0;
+    for (const size_t i : pixels) {
+      const int row = static_cast<int>(i) / image_.cols, col = static_cast<int>(i) % image_.cols;
+      if (row == 0 || col == 0 || row + 1 == image_.rows || col + 1 == image_.cols) continue;
+      const size_t north = i - image_.cols, south = i + image_.cols;
+      bool inner = true;
+      for_neighbours(i, [&](size_t j) { inner = inner && piece_[j] == piece_[i]; });
+      if (!inner) continue;
+      const std::complex<double> slope(image_.height[i + 1] - image_.height[i - 1],
+                                       image_.height[north] - image_.height[south]);
+      const double steepness = std::abs(slope) / (2.0 * image_.gsd);
+      if (steepness < kGentlest) continue;
+      const double w = std::min(steepness, kSteepest);
+      sum += std::polar(w, 4.0 * std::arg(slope));
+      weight += w;
+    }
+    return weight > 0.0 ? sum / weight : sum;
   }
 
   void number_by_first_pixels() {
@@ -289,6 +312,8 @@ class RowCutter {
   }
 
   static constexpr int kUnvisited = -2;
+  // Roofs flatter than this have no direction.
+  static constexpr double kGentlest = 0.2;
   // Slope of the steepest roofs, 60 degrees.
   static constexpr double kSteepest = 1.73;
   // How far to either side of a valley roofs are looked at, metres.
@@ -318,6 +343,9 @@ std::string check(const RowCutOptions& options) {
     return "seam_price must lie in [0, 1]";
   }
   if (!(options.fill > 0.0 && options.fill <= 1.0)) return "fill must lie in (0, 1]";
+  if (!(options.oblique_price >= 0.0 && options.oblique_price <= 100.0)) {
+    return "oblique_price must lie in [0, 100]";
+  }
   if (!(options.seams >= 0.0 && options.seams <= 1.0)) return "seams must lie in [0, 1]";
   if (options.directions < 2 || options.directions > 360) return "directions must lie in [2, 360]";
   return "";

@@ -22,6 +22,9 @@ struct RowCutOptions {
   double step = 0.5;
   /// What a wall along a seam costs, as a share of one through a roof, [0, 1].
   double seam_price = 0.2;
+  /// By how much dearer a wall halfway between the axes that the roofs of a piece agree on is, as a
+  /// share, [0, 100]: blocks can end along their axes only.
+  double oblique_price = 2.0;
   /// Pieces that fill this share of their smallest rectangle, (0, 1],
   double fill = 0.85;
   /// and have no more than this share of their pixels at seams are one building whatever its size,

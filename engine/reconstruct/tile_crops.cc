@@ -19,12 +19,17 @@ HeightImage crop_found_house(const HeightRaster& dsm, const HeightRaster& dtm,
                              const HeightCropOptions& options) {
   const CellBox box = with_margin(found.houses[index].box, options.margin, dsm.grid);
   const int own = static_cast<int>(index) + 1;
+  const int row_number = found.houses[index].row;
+  const auto of_same_row = [&](int label) {
+    return label > 0 && row_number > 0 && found.houses[label - 1].row == row_number;
+  };
   std::vector<CellRole> roles;
   roles.reserve(size_of(box));
   for (int row = box.row0; row < box.row1; ++row) {
     for (int col = box.col0; col < box.col1; ++col) {
       const int label = found.label.at(row, col);
       roles.push_back(label == own               ? CellRole::kBuilding
+                      : of_same_row(label)       ? CellRole::kRow
                       : found.crown.at(row, col) ? CellRole::kCrown
                       : label != 0               ? CellRole::kNeighbour
                                                  : CellRole::kOpen);

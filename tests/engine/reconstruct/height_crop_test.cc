@@ -45,6 +45,24 @@ TEST(HeightCrop, OfAFoundHouseKeepsWhatIsMeasuredAndLeavesOutTheNeighbour) {
   EXPECT_EQ(image.inside[image.index(7, 27)], 0);
 }
 
+TEST(HeightCrop, OtherPiecesOfARowAreGroundOfSomeWeightUpToTheCut) {
+  TwoHouses scene;
+  scene.dtm = HeightRaster(scene.dsm.grid, kGround);
+  FoundHouses found = find_houses(scene.dsm, scene.dtm, {});
+  ASSERT_EQ(found.houses.size(), 2u);
+  for (FoundHouse& house : found.houses) house.row = 1;
+  HeightCropOptions options;
+  const HeightImage row = crop_found_house(scene.dsm, scene.dtm, found, 0, options);
+  const size_t other = row.index(7, 27), beside = row.index(7, 26);
+  EXPECT_EQ(row.weight[other], static_cast<float>(options.row));
+  EXPECT_EQ(row.height[other], 0.0f);
+  EXPECT_EQ(row.inside[other], 0);
+  EXPECT_EQ(row.weight[beside], 1.0f);
+  // Of another row it is a neighbour like any.
+  found.houses[1].row = 2;
+  EXPECT_EQ(crop_found_house(scene.dsm, scene.dtm, found, 0, options).weight[other], 0.05f);
+}
+
 TEST(HeightCrop, OverAnOutlineTheBuildingEndsThere) {
   TwoHouses scene;
   scene.dtm = HeightRaster(scene.dsm.grid, kGround);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <opencv2/imgproc.hpp>
 #include <set>
 #include <vector>
 
@@ -121,6 +122,21 @@ TEST_P(SteppedRow, NoPieceIsLargerThanAsked) {
   for (const auto& [number, pixels] : pieces) EXPECT_LE(pixels.size() * 0.25, 150.0);
 }
 
+TEST_P(SteppedRow, PiecesFillTheirSmallestRectangles) {
+  // Cuts across the axes would leave triangles.
+  const HeightImage image = row();
+  for (const auto& [number, pixels] : pieces_of(cut_rows(image, {}))) {
+    std::vector<cv::Point2f> points;
+    for (const size_t i : pixels) {
+      const int r = static_cast<int>(i) / image.cols, c = static_cast<int>(i) % image.cols;
+      const Eigen::Vector2d p = image.center_of(r, c);
+      points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
+    }
+    const cv::Size2f size = cv::minAreaRect(points).size;
+    EXPECT_GT(pixels.size() * 0.25, 0.85 * (size.width + 0.5) * (size.height + 0.5));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Azimuths, SteppedRow, testing::Values(0.0, 0.2, 0.35, 0.5));
 
 TEST(RowCuts, GablesSideBySideAreCutInTheirValleys) {
@@ -183,6 +199,7 @@ TEST(RowCuts, OptionsOutOfRangeAreNamed) {
   EXPECT_NE(check(RowCutOptions{.step = 0.0}).find("step"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.seam_price = 2.0}).find("seam_price"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.fill = 0.0}).find("fill"), std::string::npos);
+  EXPECT_NE(check(RowCutOptions{.oblique_price = -1.0}).find("oblique_price"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.seams = -0.1}).find("seams"), std::string::npos);
   EXPECT_NE(check(RowCutOptions{.directions = 1}).find("directions"), std::string::npos);
 }
