@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 namespace gable {
 namespace {
@@ -17,7 +19,8 @@ constexpr int kTitle = 30;
 constexpr int kNames = 42;   // two lines above the panels
 constexpr int kLegend = 40;  // below them
 constexpr double kSmall = 0.4;
-constexpr double kShownAround = 3.0;    // metres
+constexpr double kShownAround = 2.0;    // metres
+constexpr int kLevels = 24;             // a colour channel
 constexpr double kResidualRange = 1.0;  // metres
 
 HeightImage cut_to_building(const HeightImage& image) {
@@ -102,6 +105,16 @@ int height_of(const ComparedPair& pair, int panel_size) {
   return kNames + PanelScale(cut_to_building(pair.image), panel_size).height + kLegend;
 }
 
+// Noise in all colours makes large files.
+void round_colors(cv::Mat& canvas) {
+  cv::Mat levels(1, 256, CV_8U);
+  for (int i = 0; i < 256; ++i) {
+    const double level = std::round(i * (kLevels - 1) / 255.0);
+    levels.at<uint8_t>(i) = static_cast<uint8_t>(std::round(level * 255.0 / (kLevels - 1)));
+  }
+  cv::LUT(canvas, levels, canvas);
+}
+
 }  // namespace
 
 cv::Mat draw_comparison(const std::string& title, const std::vector<ComparedPair>& pairs,
@@ -116,6 +129,7 @@ cv::Mat draw_comparison(const std::string& title, const std::vector<ComparedPair
     draw_pair(pair, panel_size, top, canvas);
     top += height_of(pair, panel_size);
   }
+  round_colors(canvas);
   return canvas;
 }
 

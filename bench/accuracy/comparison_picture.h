@@ -23,7 +23,7 @@ struct ComparedPair {
 };
 
 /// One row a pair: measured heights, model without, difference, model with, difference (measured
-/// less model, metres). All of a row are in the same colours, north up, cut to the building and 3 m
+/// less model, metres). All of a row are in the same colours, north up, cut to the building and 2 m
 /// around it. 8-bit BGR, `panel_size` pixels a panel.
 cv::Mat draw_comparison(const std::string& title, const std::vector<ComparedPair>& pairs,
                         int panel_size);
