@@ -20,7 +20,7 @@ constexpr int kNames = 42;   // two lines above the panels
 constexpr int kLegend = 40;  // below them
 constexpr double kSmall = 0.4;
 constexpr double kShownAround = 2.0;    // metres
-constexpr int kLevels = 24;             // a colour channel
+constexpr int kLevels = 20;             // a colour channel
 constexpr double kResidualRange = 1.0;  // metres
 
 HeightImage cut_to_building(const HeightImage& image) {

@@ -44,7 +44,8 @@ constexpr int kPanel = 192;       // pixels
 // A house on which a mode occurs or not.
 struct Trial {
   ComparedPair pair;
-  double noise = 0.0;  // charge of the truth, metres
+  double noise = 0.0;               // charge of the truth, metres
+  std::optional<Foundation> truth;  // none outside the grammar
 };
 using MakeTrial = std::function<Trial(uint64_t seed)>;
 
@@ -63,10 +64,15 @@ double charge_of(const HeightImage& image, const Building& building) {
   return fit_of_building(image, building).charge;
 }
 
+bool has_type(const Building& building, const std::optional<Foundation>& type) {
+  return building.house && type && building.house->foundation == *type;
+}
+
 // What was found in the houses that were looked at.
 struct Findings {
   std::optional<ComparedPair> drawn;
   int occurred = 0, helped = 0;
+  int types = 0, right_without = 0, right_with = 0;  // of foundations, over all houses
 };
 
 Findings look_through(const char* mode, uint64_t first_seed, int houses, const MakeTrial& make) {
@@ -76,6 +82,9 @@ Findings look_through(const char* mode, uint64_t first_seed, int houses, const M
     const ComparedPair& pair = trial.pair;
     const double without = charge_of(pair.image, pair.without.building) - trial.noise;
     const double with = charge_of(pair.image, pair.with.building) - trial.noise;
+    findings.types += trial.truth.has_value();
+    findings.right_without += has_type(pair.without.building, trial.truth);
+    findings.right_with += has_type(pair.with.building, trial.truth);
     if (without <= kOccurs) continue;
     const bool helps = with < 0.5 * without;
     ++findings.occurred;
@@ -84,6 +93,10 @@ Findings look_through(const char* mode, uint64_t first_seed, int houses, const M
   }
   std::printf("%-34s occurs in %d of %d, answer helps in %d\n", mode, findings.occurred, houses,
               findings.helped);
+  if (findings.types > 0) {
+    std::printf("  foundation right in %d -> %d of %d\n", findings.right_without,
+                findings.right_with, findings.types);
+  }
   if (findings.drawn) {
     const ComparedPair& pair = *findings.drawn;
     const BuildingFit without = fit_of_building(pair.image, pair.without.building);
@@ -116,6 +129,7 @@ Trial trial_of(uint64_t seed, const Scene& scene) {
   trial.pair.id = id_of(seed, std::string(foundation_name(scene.house.foundation)));
   trial.pair.image = scene_image(scene);
   trial.noise = charge_of(trial.pair.image, building_of(scene.house));
+  trial.truth = scene.house.foundation;
   return trial;
 }
 
