@@ -22,8 +22,8 @@ enum class CellRole : uint8_t {
 
 /// How crops are made.
 struct HeightCropOptions {
-  double margin = 3.5;      ///< of terrain around the building's cells, metres, [0, 100]
-  int max_cells = 40000;    ///< larger crops are thinned by a whole factor, [100, 1e8]
+  double margin = 3.5;    ///< of terrain around the building's cells, metres, [0, 100]
+  int max_cells = 40000;  ///< larger crops are thinned by a whole factor, [100, 1e8]
   /// Weight of a neighbour's cells where the outline is known, [0, 0.1); see `is_taken`.
   double neighbour = 0.05;
   /// Weight of the cells of other pieces of a row, [0, 1]: they are not its own, but where it ends
@@ -46,9 +46,10 @@ CellBox with_margin(const CellBox& box, double margin, const Grid& grid);
 /// box's centre at the median terrain under the building.
 ///
 /// Where the building was found in the heights, neighbours (and cells beside them) and crowns are
-/// left out; cells of other pieces of its row become ground. Where its outline is known, it ends there whatever stands beyond: open and neighbours'
-/// cells get the terrain's height, neighbours' with a small weight since they are no evidence of
-/// terrain. Its own covered cells are inside and left out.
+/// left out; cells of other pieces of its row become ground. Where its outline is known, it ends
+/// there whatever stands beyond: open and neighbours' cells get the terrain's height, neighbours'
+/// with a small weight since they are no evidence of terrain. Its own covered cells are inside and
+/// left out.
 HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const CellBox& box,
                          const std::vector<CellRole>& roles, bool outline_known,
                          const HeightCropOptions& options);

@@ -22,7 +22,7 @@ constexpr std::array<std::array<int, 2>, 2> kForward = {{{0, 1}, {1, 0}}};
 /// A line across the plan: pixels with normal . p < offset lie on its first side.
 struct Line {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();
-  double offset = 0.0;       ///< metres
+  double offset = 0.0;  ///< metres
   double ratio = std::numeric_limits<double>::infinity();
 };
 
@@ -147,8 +147,8 @@ class RowCutter {
   }
 
   double seam_share(const Pixels& pixels) const {
-    const auto seams = std::count_if(pixels.begin(), pixels.end(),
-                                     [this](size_t i) { return at_seam_[i] != 0; });
+    const auto seams =
+        std::count_if(pixels.begin(), pixels.end(), [this](size_t i) { return at_seam_[i] != 0; });
     return static_cast<double>(seams) / static_cast<double>(pixels.size());
   }
 
@@ -190,8 +190,8 @@ class RowCutter {
         const double other = normal.dot(center_of(j));
         const int from = bin_of(std::min(t, other)) + 1, to = bin_of(std::max(t, other)) + 1;
         const bool seam = at_seam_[i] && at_seam_[j];
-        const double wall = edge * std::min(over_ground(i), over_ground(j)) *
-                            (seam ? options_.seam_price : 1.0);
+        const double wall =
+            edge * std::min(over_ground(i), over_ground(j)) * (seam ? options_.seam_price : 1.0);
         cost[from] += wall;
         cost[to] -= wall;
       }

@@ -37,11 +37,11 @@ struct RowCutOptions {
 std::string check(const RowCutOptions& options);
 
 /// Cuts the inside pixels of an image along straight lines, again and again, until every piece is
-/// no larger than `most_area` or looks like one building. Each cut is the line of least ratio of the
-/// wall that would stand there (its length times the height above the terrain of its lower side,
-/// less along seams) to the area of the smaller side: the ratio cut of
-/// image segmentation (Wang and Siskind, PAMI 2003) with lines for curves. What a cut leaves in
-/// crumbs goes to the piece that it touches most. Returns the piece of every pixel, -1 outside,
+/// no larger than `most_area` or looks like one building. Each cut is the line of least ratio of
+/// the wall that would stand there (its length times the height above the terrain of its lower
+/// side, less along seams, more across the roofs' axes) to the area of the smaller side: the ratio
+/// cut of image segmentation (Wang and Siskind, PAMI 2003) with lines for curves. What a cut leaves
+/// in crumbs goes to the piece that it touches most. Returns the piece of every pixel, -1 outside,
 /// numbered by their first pixels.
 std::vector<int> cut_rows(const HeightImage& image, const RowCutOptions& options);
 

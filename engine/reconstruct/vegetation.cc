@@ -49,8 +49,8 @@ void drop_roofs(const cv::Mat& roughness, double gsd, const VegetationOptions& o
   for (int row = 0; row < labels.rows; ++row) {
     for (int col = 0; col < labels.cols; ++col) {
       const int label = labels.at<int>(row, col);
-      const bool crown = pixels[label] * gsd * gsd >= options.least_area &&
-                         sum[label] >= least * pixels[label];
+      const bool crown =
+          pixels[label] * gsd * gsd >= options.least_area && sum[label] >= least * pixels[label];
       if (!crown) crowns->at<unsigned char>(row, col) = 0;
     }
   }

@@ -8,9 +8,9 @@ namespace gable {
 
 /// What tells tree crowns from roofs.
 struct VegetationOptions {
-  double roughness = 0.17;    ///< least deviation from any plane nearby, metres, > 0
-  /// Patches whose mean roughness is less than this times `roughness` are kept, >= 1: none. Coarse
-  /// cells need more, see `vegetation_at`.
+  double roughness = 0.17;  ///< least deviation from any plane nearby, metres, > 0
+  /// A patch of rough pixels is a crown where their mean roughness is at least this times
+  /// `roughness`, >= 1; at 1 every patch is. Coarse cells need more, see `vegetation_at`.
   double least_contrast = 1.0;
   double least_height = 1.0;  ///< lower pixels are never vegetation, metres over the terrain
   double least_width = 1.4;   ///< narrower rough patches are kept: chimneys, masts, metres
@@ -19,7 +19,7 @@ struct VegetationOptions {
 };
 
 /// The options for cells of `gsd` metres. Those given are meant for 0.5 m: coarser cells take more
-/// of a roof's shape into one neighbourhood, so roughness and widths grow with them.
+/// of a roof's shape into one neighbourhood, so roughness, widths and contrast grow with them.
 VegetationOptions vegetation_at(const VegetationOptions& options, double gsd);
 
 /// Marks (1) the pixels of tree crowns: those that lie in no smooth 3 x 3 neighbourhood. Each of
