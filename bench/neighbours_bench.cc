@@ -1,5 +1,5 @@
 #include <benchmark/benchmark.h>
-#include <gable/engine/reconstruct/house_choice.h>
+#include <gable/engine/reconstruct/choice/house_choice.h>
 #include <gable/engine/solver/neighbour_refinement.h>
 
 #include <vector>

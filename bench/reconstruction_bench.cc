@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
-#include <gable/engine/reconstruct/house_choice.h>
-#include <gable/engine/reconstruct/vegetation.h>
+#include <gable/engine/reconstruct/choice/house_choice.h>
+#include <gable/engine/reconstruct/finding/vegetation.h>
 
 #include <vector>
 

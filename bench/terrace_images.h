@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/reconstruct/tile_crops.h>
+#include <gable/engine/reconstruct/tile/tile_crops.h>
 #include <gable/grammar/polygon_cells.h>
 #include <gable/grammar/synthesis/terrace.h>
 

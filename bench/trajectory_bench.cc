@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 #include <gable/engine/io/model_folder.h>
-#include <gable/engine/io/scale_model_file.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/engine/scales/neighbours.h>
 #include <gable/engine/scales/scale_chain.h>

@@ -1,7 +1,7 @@
 // The planar shapes of a point cloud or mesh at its structural scales.
 #include <gable/engine/io/model_folder.h>
-#include <gable/engine/io/scale_model_file.h>
 #include <gable/engine/io/scans/scan_file.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/grammar/synthesis/scene.h>
 

@@ -1,9 +1,9 @@
 // From a surface and a terrain raster to a file of house models.
 #include <gable/engine/error.h>
-#include <gable/engine/io/model_writer.h>
-#include <gable/engine/io/raster_file.h>
-#include <gable/engine/reconstruct/reconstruct_building.h>
-#include <gable/engine/reconstruct/tile_crops.h>
+#include <gable/engine/io/models/model_writer.h>
+#include <gable/engine/io/raster/raster_file.h>
+#include <gable/engine/reconstruct/building/reconstruct_building.h>
+#include <gable/engine/reconstruct/tile/tile_crops.h>
 #include <gable/grammar/synthesis/village.h>
 
 #include <cstdio>

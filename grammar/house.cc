@@ -6,15 +6,16 @@
 namespace gable {
 namespace {
 
-constexpr std::array<std::pair<Foundation, std::string_view>, kNumFoundationTypes> kFoundationNames = {{
-    {Foundation::kI, "I"},
-    {Foundation::kII, "II"},
-    {Foundation::kIII, "III"},
-    {Foundation::kL, "L"},
-    {Foundation::kU, "U"},
-    {Foundation::kC, "C"},
-    {Foundation::kMany, "N"},
-}};
+constexpr std::array<std::pair<Foundation, std::string_view>, kNumFoundationTypes>
+    kFoundationNames = {{
+        {Foundation::kI, "I"},
+        {Foundation::kII, "II"},
+        {Foundation::kIII, "III"},
+        {Foundation::kL, "L"},
+        {Foundation::kU, "U"},
+        {Foundation::kC, "C"},
+        {Foundation::kMany, "N"},
+    }};
 
 RuleKind footprint_kind(Foundation foundation) {
   switch (foundation) {

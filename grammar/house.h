@@ -29,8 +29,8 @@ bool foundation_from_name(std::string_view name, Foundation* foundation);
 /// footprints are axis-aligned. Every height parameter is in metres above `origin.z()`.
 ///
 /// Invariants (see `is_well_formed`): I, II, III have 1, 2, 3 footprints of kind kFootprintI and as
-/// many roofs, N four or more; L has one kFootprintL and two roofs (wing x, wing y); U one kFootprintU and three
-/// roofs (base, left, right). A roof covers one rectangle, its component.
+/// many roofs, N four or more; L has one kFootprintL and two roofs (wing x, wing y); U one
+/// kFootprintU and three roofs (base, left, right). A roof covers one rectangle, its component.
 struct House {
   Foundation foundation = Foundation::kI;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< world point of the house frame's origin

@@ -7,11 +7,11 @@
 //       [--only SOURCES] [--verbose]
 
 #include <gable/engine/error.h>
-#include <gable/engine/io/annotations_file.h>
+#include <gable/engine/io/answers/annotations_file.h>
 #include <gable/engine/io/footprint_file.h>
-#include <gable/engine/io/raster_file.h>
-#include <gable/engine/reconstruct/reconstruct_building.h>
-#include <gable/engine/reconstruct/visit_tile.h>
+#include <gable/engine/io/raster/raster_file.h>
+#include <gable/engine/reconstruct/building/reconstruct_building.h>
+#include <gable/engine/reconstruct/tile/visit_tile.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -5,10 +5,10 @@
 // Or how well the houses of model files fit each other:
 //   gable_check_neighbours MODELS...
 
-#include <gable/engine/io/building_file.h>
-#include <gable/engine/reconstruct/join_neighbours.h>
-#include <gable/engine/reconstruct/ordered_pool.h>
-#include <gable/engine/reconstruct/reconstruct_building.h>
+#include <gable/engine/io/models/building_file.h>
+#include <gable/engine/ordered_pool.h>
+#include <gable/engine/reconstruct/building/reconstruct_building.h>
+#include <gable/engine/reconstruct/neighbours/join_neighbours.h>
 #include <gable/grammar/height_field.h>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // recall of dormers and chimneys.
 //   gable_check_reconstruction [houses per type] [first seed] [verbose: 0 or 1]
 
-#include <gable/engine/reconstruct/house_choice.h>
-#include <gable/engine/reconstruct/vegetation.h>
+#include <gable/engine/reconstruct/choice/house_choice.h>
+#include <gable/engine/reconstruct/finding/vegetation.h>
 #include <gable/grammar/height_field.h>
 
 #include <algorithm>

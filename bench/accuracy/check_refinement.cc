@@ -2,7 +2,7 @@
 // disturbed starts. Prints the share that ends under 0.10 m mean error to the noise-free truth.
 //   gable_check_refinement [houses per type] [first seed]
 
-#include <gable/engine/reconstruct/vegetation.h>
+#include <gable/engine/reconstruct/finding/vegetation.h>
 #include <gable/engine/solver/house_refinement.h>
 #include <gable/grammar/height_field.h>
 

@@ -9,10 +9,10 @@
 
 #include <gable/engine/closing/surface_distance.h>
 #include <gable/engine/error.h>
-#include <gable/engine/io/labelled_ply.h>
 #include <gable/engine/io/model_folder.h>
-#include <gable/engine/io/scale_model_file.h>
-#include <gable/engine/reconstruct/scan_solids.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
+#include <gable/engine/reconstruct/scan/scan_solids.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/grammar/random.h>
 #include <gable/grammar/solid/validity.h>

@@ -3,7 +3,7 @@
 // Runs the program gable beside this one, in a folder that it makes and removes.
 //   gable_check_tiles [kills] [seed] [cells along a side of the largest raster] [folder]
 
-#include <gable/engine/io/raster_writer.h>
+#include <gable/engine/io/raster/raster_writer.h>
 #include <gable/grammar/random.h>
 #include <gable/grammar/synthesis/village.h>
 #include <sys/resource.h>

@@ -2,7 +2,7 @@
 
 #include <gable/engine/drawing/canvas.h>
 #include <gable/engine/drawing/fixed.h>
-#include <gable/engine/reconstruct/building_fit.h>
+#include <gable/engine/reconstruct/building/building_fit.h>
 #include <gable/engine/reconstruct/report/height_panels.h>
 
 #include <algorithm>

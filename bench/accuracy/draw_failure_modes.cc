@@ -9,14 +9,14 @@
 #include <gable/engine/drawing/report_file.h>
 #include <gable/engine/error.h>
 #include <gable/engine/io/atomic_file.h>
-#include <gable/engine/reconstruct/building_candidates.h>
-#include <gable/engine/reconstruct/classical_values.h>
-#include <gable/engine/reconstruct/reconstruct_building.h>
-#include <gable/engine/reconstruct/tile_crops.h>
+#include <gable/engine/reconstruct/building/building_candidates.h>
+#include <gable/engine/reconstruct/building/reconstruct_building.h>
+#include <gable/engine/reconstruct/first_values/classical_values.h>
+#include <gable/engine/reconstruct/tile/tile_crops.h>
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/polygon_cells.h>
-#include <gable/grammar/synthesis/complex_shapes.h>
-#include <gable/grammar/synthesis/lidar.h>
+#include <gable/grammar/synthesis/houses/complex_shapes.h>
+#include <gable/grammar/synthesis/survey/lidar.h>
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "plane_methods.h"
 
 #include <gable/engine/io/model_folder.h>
-#include <gable/engine/io/scale_model_file.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/engine/scales/known_scales.h>
 

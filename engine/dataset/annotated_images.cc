@@ -1,5 +1,5 @@
 #include <gable/engine/dataset/annotated_images.h>
-#include <gable/engine/reconstruct/visit_tile.h>
+#include <gable/engine/reconstruct/tile/visit_tile.h>
 #include <gable/grammar/ring.h>
 
 #include <algorithm>

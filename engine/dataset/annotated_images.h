@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gable/engine/annotated_house.h>
-#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 #include <gable/residuals/height_image.h>
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gable/engine/dataset/training_sample.h>
-#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 
 #include <optional>
 #include <string>
@@ -42,7 +42,8 @@ double outline_iou(const TileBuilding& building);
 RealSampleVerdict judge(const TileBuilding& building, const RealSampleOptions& options);
 
 /// The sample of a reconstructed building that teaches: its house, or class C where it is beyond
-/// the grammar or has more blocks than the detectors name. Its dormers, chimneys and garages are not all known. Nothing for the others.
+/// the grammar or has more blocks than the detectors name. Its dormers, chimneys and garages are
+/// not all known. Nothing for the others.
 std::optional<TrainingSample> real_sample(const TileBuilding& building,
                                           const RealSampleOptions& options);
 

@@ -1,8 +1,8 @@
 #include <gable/engine/dataset/training_sample.h>
 #include <gable/engine/dataset/visible_details.h>
 #include <gable/engine/detectors/foundation_corners.h>
-#include <gable/engine/reconstruct/azimuth.h>
-#include <gable/engine/reconstruct/tile_crops.h>
+#include <gable/engine/reconstruct/first_values/azimuth.h>
+#include <gable/engine/reconstruct/tile/tile_crops.h>
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/polygon_cells.h>
 

@@ -3,7 +3,7 @@
 #include <gable/engine/evaluate/building_matching.h>
 #include <gable/engine/evaluate/detections.h>
 #include <gable/engine/evaluate/height_error.h>
-#include <gable/engine/io/building.h>
+#include <gable/engine/io/models/building.h>
 #include <gable/grammar/raster.h>
 
 #include <array>

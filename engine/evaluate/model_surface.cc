@@ -1,5 +1,5 @@
 #include <gable/engine/evaluate/model_surface.h>
-#include <gable/engine/io/building_plan.h>
+#include <gable/engine/io/models/building_plan.h>
 
 #include <limits>
 

@@ -2,16 +2,16 @@
 
 #include <gable/engine/drawing/report_file.h>
 #include <gable/engine/error.h>
-#include <gable/engine/io/annotations_file.h>
-#include <gable/engine/io/answers_file.h>
+#include <gable/engine/io/answers/annotations_file.h>
+#include <gable/engine/io/answers/answers_file.h>
 #include <gable/engine/io/atomic_file.h>
-#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/raster/raster_file.h>
 #include <gable/engine/io/staged_folder.h>
 #include <gable/engine/reconstruct/annotate/annotated_from_answer.h>
 #include <gable/engine/reconstruct/annotate/annotation_panel.h>
 #include <gable/engine/reconstruct/annotate/annotation_sheets.h>
 #include <gable/engine/reconstruct/annotate/proposed_answer.h>
-#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,10 +4,10 @@
 #include <gable/engine/evaluate/evaluation.h>
 #include <gable/engine/evaluate/evaluation_report.h>
 #include <gable/engine/evaluate/triangles.h>
-#include <gable/engine/io/build_model.h>
-#include <gable/engine/io/building_plan.h>
 #include <gable/engine/io/footprint_file.h>
-#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/models/build_model.h>
+#include <gable/engine/io/models/building_plan.h>
+#include <gable/engine/io/raster/raster_file.h>
 #include <gable/grammar/polygon_cells.h>
 
 #include <algorithm>

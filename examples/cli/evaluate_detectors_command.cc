@@ -4,7 +4,7 @@
 #include <gable/engine/dataset/synthetic_samples.h>
 #include <gable/engine/error.h>
 #include <gable/engine/evaluate/detectors/detector_scores.h>
-#include <gable/engine/io/annotations_file.h>
+#include <gable/engine/io/answers/annotations_file.h>
 #include <gable/engine/io/model_folder.h>
 #include <gable/engine/parallel_ranges.h>
 

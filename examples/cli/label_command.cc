@@ -4,7 +4,7 @@
 #include <gable/engine/dataset/dataset_folder.h>
 #include <gable/engine/dataset/real_sample.h>
 #include <gable/engine/error.h>
-#include <gable/engine/io/annotations_file.h>
+#include <gable/engine/io/answers/annotations_file.h>
 
 #include <array>
 #include <filesystem>

@@ -1,7 +1,7 @@
 #include "examples/cli/model_input.h"
 
 #include <gable/engine/error.h>
-#include <gable/engine/io/building_file.h>
+#include <gable/engine/io/models/building_file.h>
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gable/engine/io/building.h>
-#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/models/building.h>
+#include <gable/engine/io/raster/raster_file.h>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "examples/cli/model_outputs.h"
 
 #include <gable/engine/error.h>
-#include <gable/engine/io/add_roof_slabs.h>
+#include <gable/engine/io/models/add_roof_slabs.h>
 #include <gable/grammar/block.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gable/engine/io/building.h>
 #include <gable/engine/io/footprint_writer.h>
-#include <gable/engine/io/model_writer.h>
+#include <gable/engine/io/models/building.h>
+#include <gable/engine/io/models/model_writer.h>
 #include <gable/engine/reconstruct/report/report_writer.h>
 #include <gable/grammar/solid/roof_slabs.h>
 #include <gable/residuals/height_image.h>

@@ -1,9 +1,9 @@
 #include "examples/cli/reconstruct_command.h"
 
 #include <gable/engine/error.h>
-#include <gable/engine/io/raster_cache.h>
-#include <gable/engine/reconstruct/explanation.h>
-#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/io/raster/raster_cache.h>
+#include <gable/engine/reconstruct/tile/explanation.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "examples/cli/refine_command.h"
 
 #include <gable/engine/error.h>
-#include <gable/engine/io/raster_file.h>
-#include <gable/engine/reconstruct/refine_models.h>
+#include <gable/engine/io/raster/raster_file.h>
+#include <gable/engine/reconstruct/tile/refine_models.h>
 
 #include <iostream>
 #include <memory>

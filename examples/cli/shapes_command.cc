@@ -3,7 +3,7 @@
 #include <gable/engine/error.h>
 #include <gable/engine/io/model_folder.h>
 #include <gable/engine/io/report_folder.h>
-#include <gable/engine/io/scale_model_file.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/io/staged_folder.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/engine/scales/lack_of_shapes.h>

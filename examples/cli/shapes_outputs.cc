@@ -1,9 +1,9 @@
 #include "examples/cli/shapes_outputs.h"
 
-#include <gable/engine/io/labelled_ply.h>
-#include <gable/engine/io/polygon_obj.h>
-#include <gable/engine/io/shapes_json.h>
-#include <gable/engine/io/trajectory_json.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
+#include <gable/engine/io/shapes/polygon_obj.h>
+#include <gable/engine/io/shapes/shapes_json.h>
+#include <gable/engine/io/shapes/trajectory_json.h>
 
 #include <charconv>
 #include <cstdio>

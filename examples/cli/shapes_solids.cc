@@ -2,8 +2,8 @@
 
 #include <gable/engine/error.h>
 #include <gable/engine/io/atomic_file.h>
+#include <gable/engine/io/models/obj_writer.h>
 #include <gable/engine/io/number_text.h>
-#include <gable/engine/io/obj_writer.h>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/reconstruct/scan_solids.h>
+#include <gable/engine/reconstruct/scan/scan_solids.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/engine/scan.h>
 

@@ -2,8 +2,8 @@
 
 #include <gable/engine/error.h>
 #include <gable/engine/io/atomic_file.h>
-#include <gable/engine/io/scale_labels_file.h>
-#include <gable/engine/io/scale_model_file.h>
+#include <gable/engine/io/shapes/scale_labels_file.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/io/staged_folder.h>
 #include <gable/engine/scales/train_scales.h>
 

@@ -3,11 +3,11 @@
 #include <gable/engine/dataset/write_dataset.h>
 #include <gable/engine/error.h>
 #include <gable/engine/evaluate/evaluation.h>
-#include <gable/engine/io/build_model.h>
 #include <gable/engine/io/crs.h>
 #include <gable/engine/io/footprint_writer.h>
-#include <gable/engine/io/model_writer.h>
-#include <gable/engine/io/raster_writer.h>
+#include <gable/engine/io/models/build_model.h>
+#include <gable/engine/io/models/model_writer.h>
+#include <gable/engine/io/raster/raster_writer.h>
 #include <gable/grammar/synthesis/village.h>
 
 #include <cstdio>

@@ -1,10 +1,10 @@
 #include "examples/cli/tile_files.h"
 
 #include <gable/engine/error.h>
-#include <gable/engine/io/point_cloud_raster.h>
-#include <gable/engine/io/raster_file.h>
-#include <gable/engine/io/raster_mosaic.h>
-#include <gable/engine/io/resample.h>
+#include <gable/engine/io/raster/point_cloud_raster.h>
+#include <gable/engine/io/raster/raster_file.h>
+#include <gable/engine/io/raster/raster_mosaic.h>
+#include <gable/engine/io/raster/resample.h>
 
 #include <algorithm>
 #include <filesystem>

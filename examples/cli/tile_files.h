@@ -1,8 +1,8 @@
 #pragma once
 
 #include <gable/engine/io/footprint_file.h>
-#include <gable/engine/io/height_source.h>
-#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/io/raster/height_source.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 
 #include <CLI/CLI.hpp>
 #include <functional>

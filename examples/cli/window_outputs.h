@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gable/engine/io/building.h>
-#include <gable/engine/io/window_folder.h>
-#include <gable/engine/reconstruct/reconstruct_tile.h>
+#include <gable/engine/io/models/building.h>
+#include <gable/engine/io/windows/window_folder.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 
 #include <CLI/CLI.hpp>
 #include <cstddef>

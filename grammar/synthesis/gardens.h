@@ -1,7 +1,7 @@
 #pragma once
 
+#include <gable/grammar/synthesis/ground/vegetation.h>
 #include <gable/grammar/synthesis/streets.h>
-#include <gable/grammar/synthesis/vegetation.h>
 #include <gable/grammar/synthesis/village.h>
 
 #include <vector>

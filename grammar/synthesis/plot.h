@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gable/grammar/height_field.h>
-#include <gable/grammar/synthesis/rectangle.h>
+#include <gable/grammar/synthesis/houses/rectangle.h>
 
 #include <Eigen/Core>
 #include <vector>

@@ -1,5 +1,5 @@
 #include <gable/grammar/height_field.h>
-#include <gable/grammar/synthesis/rectangle.h>
+#include <gable/grammar/synthesis/houses/rectangle.h>
 #include <gable/grammar/synthesis/scene.h>
 
 #include <cassert>

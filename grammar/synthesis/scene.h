@@ -1,8 +1,8 @@
 #pragma once
 
-#include <gable/grammar/synthesis/lidar.h>
-#include <gable/grammar/synthesis/prior.h>
-#include <gable/grammar/synthesis/vegetation.h>
+#include <gable/grammar/synthesis/ground/vegetation.h>
+#include <gable/grammar/synthesis/houses/prior.h>
+#include <gable/grammar/synthesis/survey/lidar.h>
 
 #include <cstdint>
 #include <string>

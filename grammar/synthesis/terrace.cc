@@ -2,8 +2,8 @@
 #include <gable/grammar/plan_outline.h>
 #include <gable/grammar/random.h>
 #include <gable/grammar/ring.h>
-#include <gable/grammar/synthesis/rectangle.h>
-#include <gable/grammar/synthesis/row_house.h>
+#include <gable/grammar/synthesis/houses/rectangle.h>
+#include <gable/grammar/synthesis/houses/row_house.h>
 #include <gable/grammar/synthesis/terrace.h>
 
 #include <Eigen/Geometry>

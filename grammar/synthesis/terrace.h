@@ -3,7 +3,7 @@
 #include <gable/grammar/house.h>
 #include <gable/grammar/raster.h>
 #include <gable/grammar/solid/extrusion.h>
-#include <gable/grammar/synthesis/lidar.h>
+#include <gable/grammar/synthesis/survey/lidar.h>
 
 #include <cstdint>
 #include <string>

@@ -3,7 +3,7 @@
 #include <gable/grammar/house.h>
 #include <gable/grammar/raster.h>
 #include <gable/grammar/solid/extrusion.h>
-#include <gable/grammar/synthesis/prior.h>
+#include <gable/grammar/synthesis/houses/prior.h>
 
 #include <cstdint>
 #include <string>

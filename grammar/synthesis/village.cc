@@ -1,7 +1,7 @@
 #include <gable/grammar/plan_outline.h>
 #include <gable/grammar/synthesis/gardens.h>
+#include <gable/grammar/synthesis/ground/terrain.h>
 #include <gable/grammar/synthesis/streets.h>
-#include <gable/grammar/synthesis/terrain.h>
 #include <gable/grammar/synthesis/village.h>
 
 #include <algorithm>

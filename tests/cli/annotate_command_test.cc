@@ -1,7 +1,7 @@
 #include <gable/engine/error.h>
-#include <gable/engine/io/annotations_file.h>
-#include <gable/engine/io/answers_file.h>
-#include <gable/engine/io/building_file.h>
+#include <gable/engine/io/answers/annotations_file.h>
+#include <gable/engine/io/answers/answers_file.h>
+#include <gable/engine/io/models/building_file.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

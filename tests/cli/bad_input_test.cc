@@ -1,6 +1,6 @@
 #include <gable/engine/error.h>
 #include <gable/engine/io/footprint_file.h>
-#include <gable/engine/io/raster_writer.h>
+#include <gable/engine/io/raster/raster_writer.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include <gable/engine/io/building_file.h>
+#include <gable/engine/io/models/building_file.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include <gable/engine/io/build_model.h>
-#include <gable/engine/io/building_file.h>
-#include <gable/engine/io/model_writer.h>
+#include <gable/engine/io/models/build_model.h>
+#include <gable/engine/io/models/building_file.h>
+#include <gable/engine/io/models/model_writer.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

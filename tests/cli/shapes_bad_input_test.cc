@@ -1,5 +1,5 @@
 #include <gable/engine/error.h>
-#include <gable/engine/io/labelled_ply.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

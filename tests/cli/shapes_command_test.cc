@@ -1,6 +1,6 @@
-#include <gable/engine/io/labelled_ply.h>
 #include <gable/engine/io/scans/scan_file.h>
-#include <gable/engine/io/trajectory_json.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
+#include <gable/engine/io/shapes/trajectory_json.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

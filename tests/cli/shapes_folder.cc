@@ -1,7 +1,7 @@
 #include "cli/shapes_folder.h"
 
-#include <gable/engine/io/labelled_ply.h>
-#include <gable/engine/io/scale_model_file.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/scales/detect_scales.h>
 #include <gable/engine/scales/known_scales.h>
 #include <gable/engine/scales/train_forest.h>

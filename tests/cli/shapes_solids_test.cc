@@ -1,4 +1,4 @@
-#include <gable/engine/io/labelled_ply.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include <gable/engine/evaluate/shape_evaluation.h>
-#include <gable/engine/io/labelled_ply.h>
-#include <gable/engine/io/scale_labels_file.h>
-#include <gable/engine/io/scale_model_file.h>
 #include <gable/engine/io/scans/scan_file.h>
-#include <gable/engine/io/trajectory_json.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
+#include <gable/engine/io/shapes/scale_labels_file.h>
+#include <gable/engine/io/shapes/scale_model_file.h>
+#include <gable/engine/io/shapes/trajectory_json.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

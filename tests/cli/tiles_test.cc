@@ -1,6 +1,6 @@
-#include <gable/engine/io/building_file.h>
-#include <gable/engine/io/raster_file.h>
-#include <gable/engine/io/raster_writer.h>
+#include <gable/engine/io/models/building_file.h>
+#include <gable/engine/io/raster/raster_file.h>
+#include <gable/engine/io/raster/raster_writer.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

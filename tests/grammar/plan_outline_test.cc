@@ -1,6 +1,6 @@
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/plan_outline.h>
-#include <gable/grammar/synthesis/prior.h>
+#include <gable/grammar/synthesis/houses/prior.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

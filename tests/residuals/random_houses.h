@@ -64,8 +64,9 @@ inline House rich_house(Foundation foundation, Random* random) {
   return house;
 }
 
-inline constexpr Foundation kAllFoundations[] = {Foundation::kI, Foundation::kII, Foundation::kIII,
-                                                 Foundation::kL, Foundation::kU, Foundation::kMany};
+inline constexpr Foundation kAllFoundations[] = {Foundation::kI,   Foundation::kII,
+                                                 Foundation::kIII, Foundation::kL,
+                                                 Foundation::kU,   Foundation::kMany};
 
 // The parameter blocks of a house as cost functions take them.
 inline std::vector<const double*> pointers(const House& house) {

@@ -1,5 +1,5 @@
 #include <gable/engine/error.h>
-#include <gable/engine/io/labelled_ply.h>
+#include <gable/engine/io/shapes/labelled_ply.h>
 #include <gable/engine/parallel_ranges.h>
 #include <gable/grammar/random.h>
 #include <gable/training/scans/cityjson_surfaces.h>

@@ -1,6 +1,6 @@
 #include <gable/grammar/height_field.h>
 #include <gable/grammar/solid/house_solids.h>
-#include <gable/grammar/synthesis/rectangle.h>
+#include <gable/grammar/synthesis/houses/rectangle.h>
 #include <gable/training/scans/house_surface.h>
 #include <gable/training/scans/surface_builder.h>
 #include <gable/training/scans/surface_shapes.h>

@@ -1,4 +1,4 @@
-#include <gable/grammar/synthesis/prior.h>
+#include <gable/grammar/synthesis/houses/prior.h>
 #include <gable/training/scans/house_surface.h>
 #include <gable/training/scans/random_house_surface.h>
 

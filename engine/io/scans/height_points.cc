@@ -1,4 +1,4 @@
-#include <gable/engine/io/raster_file.h>
+#include <gable/engine/io/raster/raster_file.h>
 #include <gable/engine/io/scans/finish_scan.h>
 #include <gable/engine/io/scans/height_points.h>
 

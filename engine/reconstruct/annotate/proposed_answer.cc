@@ -1,6 +1,6 @@
 #include <gable/engine/detectors/house_crop.h>
 #include <gable/engine/reconstruct/annotate/proposed_answer.h>
-#include <gable/engine/reconstruct/azimuth.h>
+#include <gable/engine/reconstruct/first_values/azimuth.h>
 #include <gable/grammar/block.h>
 #include <gable/grammar/plan_outline.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <gable/engine/house_answer.h>
-#include <gable/engine/io/building.h>
+#include <gable/engine/io/models/building.h>
 #include <gable/residuals/height_image.h>
 
 namespace gable {

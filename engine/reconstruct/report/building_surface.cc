@@ -1,4 +1,4 @@
-#include <gable/engine/io/building_plan.h>
+#include <gable/engine/io/models/building_plan.h>
 #include <gable/engine/reconstruct/report/building_surface.h>
 
 namespace gable {

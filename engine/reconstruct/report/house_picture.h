@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gable/engine/io/building.h>
+#include <gable/engine/io/models/building.h>
 #include <gable/residuals/height_image.h>
 
 #include <array>

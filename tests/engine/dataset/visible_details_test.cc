@@ -1,5 +1,5 @@
 #include <gable/engine/dataset/visible_details.h>
-#include <gable/grammar/synthesis/lidar.h>
+#include <gable/grammar/synthesis/survey/lidar.h>
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -6,7 +6,7 @@
 #include <gable/engine/detectors/foundation_corners.h>
 #include <gable/engine/detectors/house_crop.h>
 #include <gable/grammar/block.h>
-#include <gable/grammar/synthesis/prior.h>
+#include <gable/grammar/synthesis/houses/prior.h>
 
 #include <algorithm>
 #include <cmath>

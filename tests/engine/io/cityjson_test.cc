@@ -1,5 +1,5 @@
-#include <gable/engine/io/building_file.h>
-#include <gable/engine/io/model_writer.h>
+#include <gable/engine/io/models/building_file.h>
+#include <gable/engine/io/models/model_writer.h>
 
 #include <nlohmann/json.hpp>
 #include <set>

@@ -1,4 +1,4 @@
-#include <gable/engine/io/model_writer.h>
+#include <gable/engine/io/models/model_writer.h>
 
 #include <Eigen/Geometry>
 #include <cstring>

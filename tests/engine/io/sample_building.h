@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gable/engine/io/building.h>
-#include <gable/engine/io/building_model.h>
+#include <gable/engine/io/models/building.h>
+#include <gable/engine/io/models/building_model.h>
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 #include <gable/grammar/ring.h>
 #include <gable/grammar/solid/roof_slabs.h>
 #include <gable/grammar/solid/validity.h>
-#include <gable/grammar/synthesis/prior.h>
+#include <gable/grammar/synthesis/houses/prior.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

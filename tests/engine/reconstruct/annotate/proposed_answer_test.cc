@@ -41,12 +41,11 @@ double nearest(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d
 
 TEST(ProposedAnswer, OfFourBlocksIsTheirOutlineAsTypeC) {
   const RoofedRectangle main{-6.0, 6.0, -4.0, 4.0, gable_roof(5.0, 3.0, Axis::kX)};
-  const HouseAnswer answer = proposal_of(
-      blocks_house({main,
-                    {-3.0, 3.0, 4.0, 9.0, flat_roof(4.0)},
-                    {6.0, 10.0, -2.0, 2.0, flat_roof(4.0)},
-                    {-10.0, -6.0, -2.0, 2.0, flat_roof(4.0)}},
-                   kAzimuth));
+  const HouseAnswer answer = proposal_of(blocks_house({main,
+                                                       {-3.0, 3.0, 4.0, 9.0, flat_roof(4.0)},
+                                                       {6.0, 10.0, -2.0, 2.0, flat_roof(4.0)},
+                                                       {-10.0, -6.0, -2.0, 2.0, flat_roof(4.0)}},
+                                                      kAzimuth));
   EXPECT_EQ(answer.proposed, "C");
   EXPECT_TRUE(answer.rectangles.empty());
   EXPECT_TRUE(answer.roofs.empty());
