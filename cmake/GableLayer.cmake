@@ -15,11 +15,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 
 # For what computes little and is compiled often, tests and the command line: half the time to
-# compile. At this level GCC 12 finds wrong bounds in `"literal" + std::string` as well.
+# compile. Warnings that follow values through the code see too little at this level and are wrong.
 add_library(gable_glue INTERFACE)
 target_compile_options(gable_glue INTERFACE $<$<CONFIG:Release>:-O1>)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
-  target_compile_options(gable_glue INTERFACE -Wno-array-bounds)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(gable_glue INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized
+                                              -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 
 # gable_layer(<floor> SOURCES ... LINKS ... PRIVATE_LINKS ...): the library of one floor,

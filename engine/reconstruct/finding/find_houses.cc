@@ -148,6 +148,27 @@ bool drop_crowns_on_roofs(const FindHousesOptions& options, const FoundHouses& f
   return any;
 }
 
+/// Takes the crowns away that lie within `reach` cells of a house. Returns whether there are any.
+bool drop_crowns_on_facades(const FoundHouses& found, int reach, Raster<unsigned char>* crown) {
+  const Grid& grid = crown->grid;
+  cv::Mat house(grid.rows, grid.cols, CV_8U);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int col = 0; col < grid.cols; ++col) {
+      house.at<unsigned char>(row, col) = found.label.at(row, col) > 0;
+    }
+  }
+  cv::dilate(house, house, cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}), {-1, -1}, reach);
+  bool any = false;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int col = 0; col < grid.cols; ++col) {
+      if (!crown->at(row, col) || !house.at<unsigned char>(row, col)) continue;
+      crown->at(row, col) = 0;
+      any = true;
+    }
+  }
+  return any;
+}
+
 /// Removes the houses that are not kept and numbers the others anew, in the same order.
 void keep_houses(const std::vector<char>& keep, FoundHouses* found) {
   std::vector<int> new_label(found->houses.size() + 1, FoundHouses::kDropped);
@@ -175,6 +196,7 @@ std::string check(const FindHousesOptions& options) {
     return "crown_reach must lie in [0, 10] m";
   }
   if (!(options.roof_rim >= 0.0 && options.roof_rim <= 1.0)) return "roof_rim must lie in [0, 1]";
+  if (!(options.facade >= 0.0 && options.facade <= 10.0)) return "facade must lie in [0, 10] m";
   return "";
 }
 
@@ -197,6 +219,10 @@ FoundHouses find_houses(const HeightRaster& dsm, const HeightRaster& dtm,
   crown.values = crowns_of(dsm, dtm, options.vegetation);
   FoundHouses found = pieces_beside(dsm, dtm, crown, options);
   if (drop_crowns_on_roofs(options, found, &crown)) {
+    found = pieces_beside(dsm, dtm, crown, options);
+  }
+  const int reach = static_cast<int>(std::lround(options.facade / dsm.grid.gsd));
+  if (reach > 0 && drop_crowns_on_facades(found, reach, &crown)) {
     found = pieces_beside(dsm, dtm, crown, options);
   }
   found.crown = std::move(crown);

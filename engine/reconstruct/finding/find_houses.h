@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gable/engine/closing/plan_lines.h>
 #include <gable/engine/reconstruct/finding/vegetation.h>
 #include <gable/grammar/raster.h>
 #include <gable/grammar/solid/extrusion.h>
@@ -19,6 +20,9 @@ struct FindHousesOptions {
   /// Crowns that houses surround by more than this share of their rim are clutter on roofs, [0, 1]:
   /// dormers side by side, plant, the edges of narrow roofs. 1: none is.
   double roof_rim = 0.5;
+  /// Cells of crowns this near to a house are what stands at its facades, balconies, bays,
+  /// creepers, and count as the house, metres, [0, 10].
+  double facade = 1.0;
   VegetationOptions vegetation;
 };
 
@@ -37,7 +41,8 @@ struct CellBox {
 struct FoundHouse {
   CellBox box;
   int num_cells = 0;
-  int row = 0;  ///< pieces of one row have one number, others 0
+  int row = 0;                 ///< pieces of one row have one number, others 0
+  std::vector<PlanLine> cuts;  ///< of a row's piece, world; it lies on their negative sides
 };
 
 /// Buildings on a grid.

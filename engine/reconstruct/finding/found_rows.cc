@@ -31,20 +31,26 @@ std::vector<size_t> cut_found_row(const HeightRaster& dsm, const HeightRaster& d
   std::vector<size_t> places = {index};
   const FoundHouse whole = found->houses[index];
   if (whole.num_cells * dsm.grid.gsd * dsm.grid.gsd <= options.least_row) return places;
-  const std::vector<int> pieces = cut_rows(image_of(dsm, dtm, *found, index), options);
+  RowPieces pieces = cut_rows(image_of(dsm, dtm, *found, index), options);
+  if (pieces.cuts.size() < 2) return places;
   const int row_number = ++found->num_rows;
   found->houses[index] = {};
-  found->houses[index].row = row_number;
+  for (size_t k = 1; k < pieces.cuts.size(); ++k) {
+    places.push_back(found->houses.size());
+    found->houses.emplace_back();
+  }
+  const Eigen::Vector2d first = dsm.grid.center_of(whole.box.row0, whole.box.col0);
+  for (size_t k = 0; k < places.size(); ++k) {
+    FoundHouse& house = found->houses[places[k]];
+    house.row = row_number;
+    house.cuts = std::move(pieces.cuts[k]);
+    for (PlanLine& cut : house.cuts) cut.offset += cut.normal.dot(first);
+  }
   size_t i = 0;
   for (int row = whole.box.row0; row < whole.box.row1; ++row) {
     for (int col = whole.box.col0; col < whole.box.col1; ++col, ++i) {
-      if (pieces[i] < 0) continue;
-      if (static_cast<size_t>(pieces[i]) == places.size()) {
-        places.push_back(found->houses.size());
-        found->houses.emplace_back();
-        found->houses.back().row = row_number;
-      }
-      const size_t place = places[pieces[i]];
+      if (pieces.piece[i] < 0) continue;
+      const size_t place = places[pieces.piece[i]];
       found->label.at(row, col) = static_cast<int>(place) + 1;
       found->houses[place].box.add(row, col);
       ++found->houses[place].num_cells;

@@ -16,6 +16,12 @@ namespace {
 // Pixels of one piece.
 using Pixels = std::vector<size_t>;
 
+// A piece, and the lines that it was cut along so far.
+struct Piece {
+  Pixels pixels;
+  std::vector<PlanLine> cuts;
+};
+
 // Steps of one pixel to the east and to the south.
 constexpr std::array<std::array<int, 2>, 2> kForward = {{{0, 1}, {1, 0}}};
 
@@ -34,22 +40,25 @@ class RowCutter {
     find_valleys();
   }
 
-  std::vector<int> run() {
+  RowPieces run() {
     Pixels all;
     for (size_t i = 0; i < image_.size(); ++i) {
       if (image_.inside[i]) all.push_back(i);
     }
     for (const size_t i : all) piece_[i] = 0;
     num_pieces_ = 1;
-    if (all.size() * cell_area() <= options_.least_row) return piece_;
-    std::vector<Pixels> open = components_of(all);
+    if (all.size() * cell_area() <= options_.least_row) return {piece_, {{}}};
+    std::vector<Piece> open;
+    for (Pixels& pixels : components_of(all)) open.push_back({std::move(pixels), {}});
+    std::vector<Piece> whole;
     while (!open.empty()) {
-      const Pixels pixels = std::move(open.back());
+      Piece piece = std::move(open.back());
       open.pop_back();
-      for (Pixels& part : cut(pixels)) open.push_back(std::move(part));
+      std::vector<Piece> parts = cut(piece);
+      if (parts.empty()) whole.push_back(std::move(piece));
+      for (Piece& part : parts) open.push_back(std::move(part));
     }
-    number_by_first_pixels();
-    return piece_;
+    return numbered_by_first_pixels(std::move(whole));
   }
 
  private:
@@ -212,7 +221,8 @@ class RowCutter {
   }
 
   /// Cuts a piece and returns the pieces that it is now; none where it stays whole.
-  std::vector<Pixels> cut(const Pixels& pixels) {
+  std::vector<Piece> cut(const Piece& piece) {
+    const Pixels& pixels = piece.pixels;
     if (pixels.size() * cell_area() <= options_.most_area) return {};
     if (seam_share(pixels) <= options_.seams && fill_of(pixels) >= options_.fill) return {};
     const std::complex<double> axes = axes_of(pixels);
@@ -232,7 +242,7 @@ class RowCutter {
     // A line that only cuts crumbs off, which are given back, cuts nothing.
     for (const Line& line : lines) {
       std::vector<Pixels> parts = cut_along(line, pixels);
-      if (parts.size() > 1) return parts;
+      if (parts.size() > 1) return with_cut(line, piece.cuts, std::move(parts));
     }
     return {};
   }
@@ -248,6 +258,26 @@ class RowCutter {
     for (Pixels& part : components_of(second)) parts.push_back(std::move(part));
     give_away_crumbs(&parts);
     return parts;
+  }
+
+  /// Parts that a piece was cut into, each with the piece's cuts and `line`, turned so that the
+  /// part lies on its negative side, unless it has pixels on both.
+  std::vector<Piece> with_cut(const Line& line, const std::vector<PlanLine>& cuts,
+                              std::vector<Pixels> parts) const {
+    std::vector<Piece> pieces;
+    for (Pixels& part : parts) {
+      const auto before =
+          static_cast<size_t>(std::count_if(part.begin(), part.end(), [&](size_t i) {
+            return line.normal.dot(center_of(i)) < line.offset;
+          }));
+      Piece piece{std::move(part), cuts};
+      const double sign = before > 0 ? 1.0 : -1.0;
+      if (before == 0 || before == piece.pixels.size()) {
+        piece.cuts.push_back({sign * line.normal, sign * line.offset});
+      }
+      pieces.push_back(std::move(piece));
+    }
+    return pieces;
   }
 
   /// Gives the parts that are too small to the neighbour that they share most edges with.
@@ -301,7 +331,8 @@ class RowCutter {
     return weight > 0.0 ? sum / weight : sum;
   }
 
-  void number_by_first_pixels() {
+  RowPieces numbered_by_first_pixels(std::vector<Piece> whole) {
+    RowPieces result;
     std::vector<int> number(num_pieces_, -1);
     int next = 0;
     for (int& piece : piece_) {
@@ -309,6 +340,10 @@ class RowCutter {
       if (number[piece] < 0) number[piece] = next++;
       piece = number[piece];
     }
+    result.cuts.resize(next);
+    for (Piece& piece : whole) result.cuts[piece_[piece.pixels.front()]] = std::move(piece.cuts);
+    result.piece = std::move(piece_);
+    return result;
   }
 
   static constexpr int kUnvisited = -2;
@@ -351,7 +386,7 @@ std::string check(const RowCutOptions& options) {
   return "";
 }
 
-std::vector<int> cut_rows(const HeightImage& image, const RowCutOptions& options) {
+RowPieces cut_rows(const HeightImage& image, const RowCutOptions& options) {
   CHECK(check(options).empty()) << check(options);
   return RowCutter(image, options).run();
 }

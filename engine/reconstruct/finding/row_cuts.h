@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gable/engine/closing/plan_lines.h>
 #include <gable/residuals/height_image.h>
 
 #include <string>
@@ -36,13 +37,20 @@ struct RowCutOptions {
 /// Empty if the options are in range; otherwise names the violated bound.
 std::string check(const RowCutOptions& options);
 
+/// A row as the pieces that it is cut into.
+struct RowPieces {
+  std::vector<int> piece;  ///< of every pixel, -1 outside, numbered by their first pixels
+  /// The lines that a piece was cut along, by piece: its signed distance to them is negative. The
+  /// image's frame. Those that crumbs of the piece lie beyond are left out.
+  std::vector<std::vector<PlanLine>> cuts;
+};
+
 /// Cuts the inside pixels of an image along straight lines, again and again, until every piece is
 /// no larger than `most_area` or looks like one building. Each cut is the line of least ratio of
 /// the wall that would stand there (its length times the height above the terrain of its lower
 /// side, less along seams, more across the roofs' axes) to the area of the smaller side: the ratio
 /// cut of image segmentation (Wang and Siskind, PAMI 2003) with lines for curves. What a cut leaves
-/// in crumbs goes to the piece that it touches most. Returns the piece of every pixel, -1 outside,
-/// numbered by their first pixels.
-std::vector<int> cut_rows(const HeightImage& image, const RowCutOptions& options);
+/// in crumbs goes to the piece that it touches most.
+RowPieces cut_rows(const HeightImage& image, const RowCutOptions& options);
 
 }  // namespace gable

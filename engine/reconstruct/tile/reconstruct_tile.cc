@@ -1,5 +1,6 @@
 #include <gable/engine/reconstruct/first_values/detector_pool.h>
 #include <gable/engine/reconstruct/tile/reconstruct_tile.h>
+#include <gable/engine/reconstruct/tile/divide_common_ground.h>
 #include <gable/engine/reconstruct/tile/visit_tile.h>
 
 #include <algorithm>
@@ -40,6 +41,7 @@ void join_window(const JoinOptions& options, int threads, const std::stop_token&
     (*window)[i].model = std::move(joined[i]->model);
     (*window)[i].relations = std::move(joined[i]->relations);
   }
+  if (!stop.stop_requested()) divide_common_ground(threads, window);
 }
 
 double area_inside(const HeightImage& image) {
@@ -71,7 +73,7 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
     building->building = std::move(made.building);
     building->model = std::move(made.model);
     building->choice = std::move(made.choice);
-    building->is_building = outline != nullptr || building->of_row ||
+    building->is_building = outline != nullptr || building->row > 0 ||
                             building->building.status == BuildingStatus::kGrammar ||
                             area_inside(building->image) >= options.least_unexplained_area;
   };

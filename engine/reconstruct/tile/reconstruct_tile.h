@@ -58,8 +58,9 @@ struct TileOptions {
   /// values; empty: none.
   std::string detectors;
   DetectedValuesOptions detected_values;
-  /// Refine the houses of a window that share party walls together once all are made; they are
-  /// delivered after that. Groups do not reach from one window into another.
+  /// Refine the houses of a window that share party walls together once all are made, and divide
+  /// the ground that two of them still cover; they are delivered after that. Groups do not reach
+  /// from one window into another.
   bool join_neighbours = true;
   JoinOptions join;  ///< its stage is replaced by `last_stage`
 };
@@ -69,9 +70,10 @@ std::string check(const TileOptions& options);
 
 /// One building of a tile.
 struct TileBuilding {
-  size_t index = 0;         ///< rises in the order of delivery
-  bool is_building = true;  ///< false: taken for something else after all, and not delivered
-  bool of_row = false;      ///< a piece that a row was cut into
+  size_t index = 0;            ///< rises in the order of delivery
+  bool is_building = true;     ///< false: taken for something else after all, and not delivered
+  int row = 0;                 ///< pieces of one row have one number within a window, others 0
+  std::vector<PlanLine> cuts;  ///< of a row's piece, local frame; it lies on their negative sides
   Building building;
   BuildingModel model;
   HeightImage image;   ///< what it was fitted to

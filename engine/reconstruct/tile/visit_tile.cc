@@ -114,7 +114,6 @@ class TileVisit {
     summary_.num_small += found.num_small;
     summary_.num_crown += found.num_crown;
     std::vector<size_t> whole, mine;
-    std::vector<char> of_row;
     std::vector<std::string> ids;
     std::unordered_set<std::string> taken;
     for (size_t i = 0; i < found.houses.size(); ++i) {
@@ -123,17 +122,17 @@ class TileVisit {
     }
     // Once all are cut at the window's border: a row is cut as far as it is this window's.
     for (const size_t i : whole) {
-      const std::vector<size_t> pieces = pieces_of(window, i, &found);
-      for (const size_t piece : pieces) {
+      for (const size_t piece : pieces_of(window, i, &found)) {
         mine.push_back(piece);
-        of_row.push_back(pieces.size() > 1);
         ids.push_back(id_of_place(in_tile(found.houses[piece].box, window), &taken));
       }
     }
     visit_all(mine.size(), [&](size_t i) {
       TileBuilding out;
       out.image = crop_found_house(window.dsm, window.dtm, found, mine[i], options_.crop);
-      out.of_row = of_row[i];
+      out.row = found.houses[mine[i]].row;
+      out.cuts = found.houses[mine[i]].cuts;
+      for (PlanLine& cut : out.cuts) cut.offset -= cut.normal.dot(out.image.origin.head<2>());
       make_(ids[i], nullptr, &out);
       return out;
     });

@@ -80,6 +80,28 @@ TEST(FindHouses, RoughPlantOnARoofBelongsToItAndATreeBesideItDoesNot) {
   EXPECT_EQ(find_houses(dsm, flat_ground(), options).crown.at(30, 30), 1);
 }
 
+TEST(FindHouses, WhatStandsAtAFacadeBelongsToTheHouseAndATreeBehindItDoesNot) {
+  HeightRaster dsm = flat_ground();
+  raise(10, 10, 30, 60, 8.0f, &dsm);
+  Random random(5);
+  // Creepers of 1.5 m along the facade, and a tree that touches them.
+  for (int row = 40; row < 60; ++row) {
+    for (int col = 10; col < 70; ++col) {
+      const bool tree = row >= 43 && std::hypot(row - 50, col - 40) < 8.0;
+      if (row < 43 || tree) dsm.at(row, col) = static_cast<float>(random.uniform(23.0, 26.0));
+    }
+  }
+  FindHousesOptions options;
+  options.facade = 1.5;
+  const FoundHouses found = find_houses(dsm, flat_ground(), options);
+  ASSERT_EQ(found.houses.size(), 1u);
+  EXPECT_EQ(found.label.at(41, 30), 1);
+  EXPECT_EQ(found.crown.at(50, 40), 1);
+  EXPECT_EQ(found.label.at(50, 40), 0);
+  options.facade = 0.0;
+  EXPECT_EQ(find_houses(dsm, flat_ground(), options).crown.at(41, 30), 1);
+}
+
 TEST(FindHouses, OnlyHousesNearFootprintsAreKept) {
   HeightRaster dsm = flat_ground();
   raise(10, 10, 16, 20, 5.0f, &dsm);

@@ -60,7 +60,7 @@ TEST(RowCuts, APieceThatIsNoLargerThanAHouseIsLeftWhole) {
   const HeightImage image = image_of(40, 60, [](const Eigen::Vector2d& p) {
     return p.x() > 2 && p.x() < 18 && -p.y() > 1 && -p.y() < 19 ? (p.x() < 10 ? 4.0 : 7.0) : 0.0;
   });
-  const std::vector<int> piece = cut_rows(image, {});
+  const std::vector<int> piece = cut_rows(image, {}).piece;
   for (size_t i = 0; i < piece.size(); ++i) EXPECT_EQ(piece[i], image.inside[i] ? 0 : -1);
 }
 
@@ -69,7 +69,7 @@ TEST(RowCuts, AHallUnderOneRoofIsOneBuildingWhateverItsSize) {
     if (p.x() < 2 || p.x() > 62 || -p.y() < 2 || -p.y() > 26) return 0.0;
     return 6.0 + 0.5 * (12.0 - std::abs(-p.y() - 14.0));
   };
-  const std::vector<int> piece = cut_rows(image_of(60, 130, gable), {});
+  const std::vector<int> piece = cut_rows(image_of(60, 130, gable), {}).piece;
   EXPECT_EQ(*std::max_element(piece.begin(), piece.end()), 0);
 }
 
@@ -110,14 +110,14 @@ TEST_P(SteppedRow, IsCutAtItsPartyWalls) {
   const HeightImage image = row();
   RowCutOptions options;
   options.most_area = 120.0;
-  const std::vector<int> piece = cut_rows(image, options);
+  const std::vector<int> piece = cut_rows(image, options).piece;
   EXPECT_EQ(pieces_of(piece).size(), 8u);
   EXPECT_GT(share_right(piece, truth(image)), 0.95);
 }
 
 TEST_P(SteppedRow, NoPieceIsLargerThanAsked) {
   const HeightImage image = row();
-  const auto pieces = pieces_of(cut_rows(image, {}));
+  const auto pieces = pieces_of(cut_rows(image, {}).piece);
   EXPECT_GT(pieces.size(), 3u);
   for (const auto& [number, pixels] : pieces) EXPECT_LE(pixels.size() * 0.25, 150.0);
 }
@@ -125,7 +125,7 @@ TEST_P(SteppedRow, NoPieceIsLargerThanAsked) {
 TEST_P(SteppedRow, PiecesFillTheirSmallestRectangles) {
   // Cuts across the axes would leave triangles.
   const HeightImage image = row();
-  for (const auto& [number, pixels] : pieces_of(cut_rows(image, {}))) {
+  for (const auto& [number, pixels] : pieces_of(cut_rows(image, {}).piece)) {
     std::vector<cv::Point2f> points;
     for (const size_t i : pixels) {
       const int r = static_cast<int>(i) / image.cols, c = static_cast<int>(i) % image.cols;
@@ -134,6 +134,41 @@ TEST_P(SteppedRow, PiecesFillTheirSmallestRectangles) {
     }
     const cv::Size2f size = cv::minAreaRect(points).size;
     EXPECT_GT(pixels.size() * 0.25, 0.85 * (size.width + 0.5) * (size.height + 0.5));
+  }
+}
+
+TEST_P(SteppedRow, PiecesLieOnTheNegativeSidesOfTheirCuts) {
+  const HeightImage image = row();
+  const RowPieces pieces = cut_rows(image, {});
+  size_t num_cuts = 0;
+  for (const auto& [number, pixels] : pieces_of(pieces.piece)) {
+    num_cuts += pieces.cuts[number].size();
+    for (const PlanLine& cut : pieces.cuts[number]) {
+      for (const size_t i : pixels) {
+        const int r = static_cast<int>(i) / image.cols, c = static_cast<int>(i) % image.cols;
+        EXPECT_LE(cut.signed_distance(image.center_of(r, c)), 0.0);
+      }
+    }
+  }
+  // Each of the cuts that make n pieces of one divides two of them at least.
+  EXPECT_GE(num_cuts, 2 * (pieces.cuts.size() - 1));
+}
+
+TEST_P(SteppedRow, PiecesBesideEachOtherHaveACutInCommonTurnedRound) {
+  const HeightImage image = row();
+  const RowPieces pieces = cut_rows(image, {});
+  const auto divided = [&](int a, int b) {
+    for (const PlanLine& cut : pieces.cuts[a]) {
+      for (const PlanLine& other : pieces.cuts[b]) {
+        if (cut.normal == -other.normal && cut.offset == -other.offset) return true;
+      }
+    }
+    return false;
+  };
+  for (size_t i = 0; i + 1 < image.size(); ++i) {
+    const int a = pieces.piece[i], b = pieces.piece[i + 1];
+    if (a < 0 || b < 0 || a == b) continue;
+    EXPECT_TRUE(divided(a, b)) << a << " " << b;
   }
 }
 
@@ -149,7 +184,7 @@ TEST(RowCuts, GablesSideBySideAreCutInTheirValleys) {
   const HeightImage image = image_of(36, 90, saw);
   RowCutOptions options;
   options.most_area = 130.0;
-  const std::vector<int> piece = cut_rows(image, options);
+  const std::vector<int> piece = cut_rows(image, options).piece;
   std::vector<int> truth;
   for (int r = 0; r < image.rows; ++r) {
     for (int c = 0; c < image.cols; ++c) {
@@ -170,7 +205,7 @@ TEST(RowCuts, PiecesHangTogetherAndNoneIsACrumb) {
   };
   const HeightImage image = image_of(34, 130, comb);
   const RowCutOptions options;
-  for (const auto& [number, pixels] : pieces_of(cut_rows(image, options))) {
+  for (const auto& [number, pixels] : pieces_of(cut_rows(image, options).piece)) {
     EXPECT_GE(pixels.size() * 0.25, options.least_part);
     const std::set<size_t> own(pixels.begin(), pixels.end());
     std::set<size_t> reached = {pixels.front()};
@@ -188,7 +223,7 @@ TEST(RowCuts, PiecesHangTogetherAndNoneIsACrumb) {
 
 TEST(RowCuts, AnImageWithNothingInsideHasNoPieces) {
   const HeightImage image = image_of(5, 5, [](const Eigen::Vector2d&) { return 0.0; });
-  EXPECT_EQ(cut_rows(image, {}), std::vector<int>(25, -1));
+  EXPECT_EQ(cut_rows(image, {}).piece, std::vector<int>(25, -1));
 }
 
 TEST(RowCuts, OptionsOutOfRangeAreNamed) {
