@@ -1,8 +1,9 @@
 #include <gable/engine/closing/close_planes.h>
 #include <gable/engine/closing/label_expansion.h>
+#include <gable/engine/closing/labelled_plan.h>
 #include <gable/engine/closing/plan_division.h>
 #include <gable/engine/closing/plan_lines.h>
-#include <gable/engine/closing/roof_defects.h>
+#include <gable/engine/closing/plan_mending.h>
 #include <gable/engine/closing/sample_grid.h>
 #include <gable/grammar/random.h>
 #include <glog/logging.h>
@@ -12,7 +13,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace gable {
@@ -23,18 +23,6 @@ constexpr int kMovesPerPrice = 4;
 constexpr int kNumPrices = 4;
 constexpr double kDearer = 2.0;
 constexpr double kMove = 0.003;  // metres per attempt
-
-// Places nearer than this to each other, metres, are too near for a solid (ValidityTolerance), and
-// what lies this near to such a place is moved, by up to so much, so many times.
-constexpr double kLeastApart = 0.004;
-constexpr double kBesideCrowd = 0.01;
-constexpr double kAside = 0.02;
-constexpr int kMaxMendings = 40;
-constexpr int kPlainMendings = 3;  // of them, for saddles
-constexpr int kDirections = 16;    // in which it is looked what there is
-
-// A step into a sector of a corner, well clear of where cells are told apart, metres.
-constexpr double kIntoSector = 1e-3;
 
 // Steeper than this, planes are walls: normals of which less than this points up.
 constexpr double kLeastUp = 0.17;
@@ -54,19 +42,6 @@ constexpr double kLevel = 1e-3;
 // More than anything else can cost, per cell.
 constexpr double kForbidden = 1e7;
 
-/// The planes that may be used, with the numbers of those given and where they may be used.
-struct PlaneChoice {
-  std::vector<Plane> planes;
-  std::vector<int> origins;
-  std::vector<Eigen::AlignedBox3d> reaches;
-
-  void add(const Plane& plane, int origin, const Eigen::AlignedBox3d& reach) {
-    planes.push_back(plane);
-    origins.push_back(origin);
-    reaches.push_back(reach);
-  }
-};
-
 Eigen::AlignedBox3d everywhere() {
   const Eigen::Vector3d far = Eigen::Vector3d::Constant(std::numeric_limits<double>::max());
   return {-far, far};
@@ -78,15 +53,6 @@ double step_area(double at_from, double at_to, double length) {
   if ((at_from >= 0.0) == (at_to >= 0.0) || a + b == 0.0) return 0.5 * length * (a + b);
   return 0.5 * length * (a * a + b * b) / (a + b);
 }
-
-/// A division with a plane for every cell.
-struct Labelled {
-  PlanPolygon outline;
-  std::vector<PlanLine> lines;  // of planes by their number at the time
-  PlanDivision division;
-  std::vector<int> labels;
-  double cost = 0.0;
-};
 
 class Closing {
  public:
@@ -118,15 +84,15 @@ class Closing {
   }
 
   /// Divides the plan by what the planes have to do with each other, and labels the cells.
-  std::optional<Labelled> label(const PlanPolygon& outline, const PlaneChoice& choice,
-                                const ClosingOptions& options) {
+  std::optional<LabelledPlan> label(const PlanPolygon& outline, const PlaneChoice& choice,
+                                    const ClosingOptions& options) {
     grid_labels_ = label_grid(grid_, samples_, choice.planes, choice.reaches, options, {});
     std::vector<PlanLine> lines =
         find_plan_lines(grid_, grid_labels_, choice.planes, outline, evidence_.traces, options);
     add_level_lines(choice, options, &lines);
     std::optional<PlanDivision> division = PlanDivision::make(outline, lines);
     if (!division) return std::nullopt;
-    Labelled labelled{outline, std::move(lines), std::move(*division), {}, 0.0};
+    LabelledPlan labelled{outline, std::move(lines), std::move(*division), {}, 0.0};
     const LabelProblem problem = problem_of(labelled.division, choice, options);
     labelled.labels.assign(problem.num_sites(), 0);
     for (int c = 0; c < problem.num_sites(); ++c) {
@@ -139,7 +105,8 @@ class Closing {
   }
 
   /// The planes refitted to the samples of their cells.
-  std::vector<Plane> refitted(const Labelled& labelled, const std::vector<Plane>& planes) const {
+  std::vector<Plane> refitted(const LabelledPlan& labelled,
+                              const std::vector<Plane>& planes) const {
     std::vector<Eigen::Vector3d> points;
     std::vector<std::vector<int>> members(planes.size());
     for (const HeightSample& sample : samples_) {
@@ -184,15 +151,6 @@ class Closing {
                            oriented[k].offset() / normal.z()};
     }
     return result;
-  }
-
-  /// The regions of a labelled division; nothing where they contradict each other.
-  static std::optional<RoofPartition> partition_of(const Labelled& labelled,
-                                                   const std::vector<Plane>& planes) {
-    return partition_plan(labelled.division.segments(), planes, [&](const Eigen::Vector2d& p) {
-      const int cell = labelled.division.cell_at(p);
-      return cell < 0 ? -1 : labelled.labels[cell];
-    });
   }
 
  private:
@@ -316,174 +274,6 @@ class Closing {
   std::vector<int> grid_labels_;
 };
 
-/// The planes without those that no cell uses; the numbers in `labelled` follow.
-PlaneChoice used_planes(const PlaneChoice& choice, Labelled* labelled) {
-  std::vector<int> number(choice.planes.size(), -1);
-  for (const int l : labelled->labels) number[l] = 0;
-  PlaneChoice used;
-  for (size_t i = 0; i < number.size(); ++i) {
-    if (number[i] < 0) continue;
-    number[i] = static_cast<int>(used.planes.size());
-    used.add(choice.planes[i], choice.origins[i], choice.reaches[i]);
-  }
-  for (int& l : labelled->labels) l = number[l];
-  for (PlanLine& line : labelled->lines) {
-    if (!line.is_crease()) continue;
-    line.a = number[line.a];
-    line.b = number[line.b];
-    if (line.a < 0 || line.b < 0) line.a = line.b = -1;
-  }
-  return used;
-}
-
-/// Moves one thing at every crowded corner: a line of steps there, a corner of the outline, or a
-/// plane up or down. At first what most likely moves nothing else, the line that came last or the
-/// plane of fewest cells, then any.
-void loosen(const std::vector<CrowdedCorner>& crowded, bool first, Random* random,
-            Labelled* labelled, std::vector<Plane>* planes) {
-  const auto aside = [&] { return random->uniform(-kAside, kAside); };
-  std::vector<int> cells(planes->size(), 0);
-  for (const int l : labelled->labels) ++cells[l];
-  const auto least_used = [&](const std::vector<int>& some) {
-    return *std::min_element(some.begin(), some.end(),
-                             [&](int a, int b) { return cells[a] < cells[b]; });
-  };
-  std::vector<Eigen::Vector2d*> corners;
-  for (Eigen::Vector2d& p : labelled->outline.outer) corners.push_back(&p);
-  for (auto& hole : labelled->outline.holes) {
-    for (Eigen::Vector2d& p : hole) corners.push_back(&p);
-  }
-  std::vector<uint8_t> move(labelled->lines.size(), 0), lift(planes->size(), 0);
-  for (const CrowdedCorner& corner : crowded) {
-    if (!corner.nearly_level.empty()) {
-      lift[first ? least_used(corner.nearly_level)
-                 : corner.nearly_level[random->integer(
-                       0, static_cast<int>(corner.nearly_level.size()) - 1)]] = 1;
-      continue;
-    }
-    std::vector<int> steps, there;
-    std::vector<Eigen::Vector2d*> ends;
-    for (const int number : labelled->division.lines_near(corner.place, kBesideCrowd)) {
-      if (!labelled->lines[number].is_crease()) steps.push_back(number);
-    }
-    for (Eigen::Vector2d* p : corners) {
-      if ((*p - corner.place).norm() < kBesideCrowd) ends.push_back(p);
-    }
-    for (int k = 0; k < kDirections; ++k) {
-      const double angle = 2.0 * M_PI * k / kDirections;
-      const Eigen::Vector2d around(std::cos(angle), std::sin(angle));
-      const int cell = labelled->division.cell_at(corner.place + kBesideCrowd * around);
-      if (cell >= 0) there.push_back(labelled->labels[cell]);
-    }
-    const int kinds = !steps.empty() + !ends.empty() + !there.empty();
-    int kind = first || kinds == 0 ? 0 : random->integer(0, kinds - 1);
-    if (!steps.empty() && kind-- == 0) {
-      move[first ? steps.back() : steps[random->integer(0, static_cast<int>(steps.size()) - 1)]] =
-          1;
-    } else if (!ends.empty() && kind-- == 0) {
-      for (Eigen::Vector2d* p : ends) *p += Eigen::Vector2d{aside(), aside()};
-    } else if (!there.empty()) {
-      lift[least_used(there)] = 1;
-    }
-  }
-  for (size_t i = 0; i < planes->size(); ++i) {
-    if (lift[i]) (*planes)[i].c += aside();
-  }
-  for (size_t i = 0; i < labelled->lines.size(); ++i) {
-    PlanLine& line = labelled->lines[i];
-    if (move[i]) line.offset += aside();
-    if (!line.is_crease() || !(lift[line.a] || lift[line.b])) continue;
-    if (const auto crease = crease_of(*planes, line.a, line.b)) {
-      line.normal = crease->normal;
-      line.offset = crease->offset;
-    }
-  }
-}
-
-/// Gives the smallest cell around a saddle the plane of one beside it: if possible one that stands
-/// out from its neighbours or between them, which gets that of the neighbour nearer in height.
-/// Where that was tried (not `first`), any cell there gets the plane of any beside it.
-void level_saddle(const RoofSaddle& saddle, const std::vector<Plane>& planes, double least,
-                  bool first, Random* random, Labelled* labelled) {
-  const auto height = [&](const RoofSector& sector) {
-    return sector.plane < 0 ? -std::numeric_limits<double>::infinity()
-                            : planes[sector.plane].at(saddle.place);
-  };
-  struct Change {
-    bool on_the_way = true;  // up or down from one neighbour to the other
-    double area = std::numeric_limits<double>::infinity(), step = area;
-    int cell = -1, plane = -1;
-  };
-  std::vector<Change> changes;
-  const size_t n = saddle.sectors.size();
-  for (size_t i = 0; i < n; ++i) {
-    const RoofSector& own = saddle.sectors[i];
-    const int cell = labelled->division.cell_at(saddle.place + kIntoSector * own.into);
-    if (own.plane < 0 || cell < 0) continue;
-    const std::vector<Eigen::Vector2d> corners = labelled->division.corners(cell);
-    const RoofSector &before = saddle.sectors[(i + n - 1) % n],
-                     &after = saddle.sectors[(i + 1) % n];
-    const double z = height(own);
-    for (const RoofSector& beside : {before, after}) {
-      if (beside.plane < 0 || beside.plane == own.plane) continue;
-      const bool stands = std::all_of(corners.begin(), corners.end(), [&](const auto& p) {
-        return planes[beside.plane].at(p) >= least;
-      });
-      if (!stands) continue;
-      changes.push_back({(height(before) - z) * (height(after) - z) <= 0.0,
-                         labelled->division.area(cell), std::abs(height(beside) - z), cell,
-                         beside.plane});
-    }
-  }
-  if (changes.empty()) return;
-  const auto better = [](const Change& x, const Change& y) {
-    return std::tie(x.on_the_way, x.area, x.step) < std::tie(y.on_the_way, y.area, y.step);
-  };
-  const Change& change = first ? *std::min_element(changes.begin(), changes.end(), better)
-                               : changes[random->integer(0, static_cast<int>(changes.size()) - 1)];
-  labelled->labels[change.cell] = change.plane;
-}
-
-/// The solids over a labelled division. Around saddles cells change their planes; where corners
-/// crowd, what meets there is moved a little, and the cells keep their planes.
-bool close_labelled(Labelled labelled, PlaneChoice choice, double base, double clearance,
-                    ClosedPlanes* closed) {
-  Random random(0);
-  for (int attempt = 0; attempt <= kMaxMendings; ++attempt) {
-    choice = used_planes(choice, &labelled);
-    std::optional<RoofPartition> roof = Closing::partition_of(labelled, choice.planes);
-    if (!roof || roof->planes.size() != choice.planes.size()) return false;
-    const RoofDefects defects = find_roof_defects(*roof, kLeastApart);
-    const bool whole = defects.crowded.empty() && defects.saddles.empty();
-    if (whole || attempt == kMaxMendings) {
-      std::optional<std::vector<Solid>> solids = solids_of_partition(*roof, base);
-      if (!solids || solids->empty()) return false;
-      closed->roof = std::move(*roof);
-      closed->solids = std::move(*solids);
-      closed->origins = std::move(choice.origins);
-      closed->cells = labelled.division.num_cells();
-      return true;
-    }
-    for (const RoofSaddle& saddle : defects.saddles) {
-      level_saddle(saddle, choice.planes, base + clearance, attempt < kPlainMendings, &random,
-                   &labelled);
-    }
-    if (defects.crowded.empty()) continue;
-    const Labelled before = labelled;
-    loosen(defects.crowded, attempt == 0, &random, &labelled, &choice.planes);
-    std::optional<PlanDivision> division = PlanDivision::make(labelled.outline, labelled.lines);
-    if (!division) return false;
-    labelled.division = std::move(*division);
-    labelled.labels.resize(labelled.division.num_cells());
-    for (int c = 0; c < labelled.division.num_cells(); ++c) {
-      // What moved beyond the outline of before is a sliver.
-      const int cell = before.division.cell_at(labelled.division.inside(c));
-      labelled.labels[c] = before.labels[std::max(cell, 0)];
-    }
-  }
-  return false;
-}
-
 PlanPolygon moved(const PlanPolygon& outline, double amplitude, Random* random) {
   PlanPolygon result = outline;
   const auto move = [&](std::vector<Eigen::Vector2d>* ring) {
@@ -527,7 +317,7 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
                evidence.reaches.empty() ? everywhere() : evidence.reaches[i]);
   }
   closing.add_stand_ins(&choice);
-  std::optional<Labelled> best = closing.label(outline, choice, options);
+  std::optional<LabelledPlan> best = closing.label(outline, choice, options);
   if (!best) return failed("the outline cannot be divided");
   ClosedPlanes closed;
   closed.costs.push_back(best->cost);
@@ -535,7 +325,7 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
   for (int refit = 0; refit < options.max_refits; ++refit) {
     PlaneChoice next_choice = choice;
     next_choice.planes = closing.refitted(*best, choice.planes);
-    std::optional<Labelled> next = closing.label(outline, next_choice, options);
+    std::optional<LabelledPlan> next = closing.label(outline, next_choice, options);
     if (!next || !(next->cost < best->cost * (1.0 - 1e-6))) break;
     best = std::move(next);
     choice = used_planes(next_choice, &*best);
@@ -546,7 +336,7 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
   for (int price = 0; price < kNumPrices; ++price) {
     for (int move = 0; move < kMovesPerPrice; ++move) {
       PlaneChoice moved_choice = choice;
-      std::optional<Labelled> labelled;
+      std::optional<LabelledPlan> labelled;
       if (price == 0 && move == 0) {
         labelled = best;
       } else {
@@ -560,7 +350,12 @@ ClosedPlanes close_planes(const PlanPolygon& outline, const std::vector<Plane>& 
         if (labelled) moved_choice = used_planes(moved_choice, &*labelled);
       }
       if (!labelled || labelled->cost >= kForbidden) continue;
-      if (close_labelled(std::move(*labelled), moved_choice, base, options.clearance, &closed)) {
+      if (std::optional<MendedPlan> mended =
+              mend_plan(std::move(*labelled), moved_choice, base, options.clearance)) {
+        closed.roof = std::move(mended->roof);
+        closed.solids = std::move(mended->solids);
+        closed.origins = std::move(mended->origins);
+        closed.cells = mended->cells;
         return closed;
       }
     }
