@@ -9,10 +9,10 @@
 #include <gable/engine/ordered_pool.h>
 #include <gable/engine/reconstruct/building/reconstruct_building.h>
 #include <gable/engine/reconstruct/neighbours/join_neighbours.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/grammar/height_field.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -146,10 +146,9 @@ RowResult run_row(uint64_t seed, int count) {
   JoinOptions join;
   join.refinement.stage = last_stage(true);
   RowResult result;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   auto joined = join_neighbours(fitted, join, 1, {});
-  result.join_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  result.join_ms = watch.ms();
   result.before = errors_of(terrace, buildings);
   result.figures_before = figures_of(buildings);
   for (size_t i = 0; i < joined.size(); ++i) {

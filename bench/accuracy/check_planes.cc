@@ -12,13 +12,13 @@
 // "gable, known scale" takes the scale from the truth (see known_scales) instead of from a model.
 
 #include <gable/engine/error.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/grammar/random.h>
 #include <gable/training/scans/cityjson_surfaces.h>
 #include <gable/training/scans/sample_surface.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -55,9 +55,9 @@ struct Tally {
 };
 
 double seconds_of(const auto& call) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return 1e-3 * watch.ms();
 }
 
 /// A method at one tolerance.

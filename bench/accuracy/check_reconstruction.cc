@@ -5,10 +5,10 @@
 
 #include <gable/engine/reconstruct/choice/house_choice.h>
 #include <gable/engine/reconstruct/finding/vegetation.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/grammar/height_field.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -98,11 +98,9 @@ int run(int per_type, uint64_t first_seed, bool verbose) {
       HeightImage image = scene_image(scene);
       leave_out_vegetation({}, &image);
       keep_central_component(&image);
-      const auto start = std::chrono::steady_clock::now();
+      const Stopwatch watch;
       const HouseChoice choice = choose_house(image, {});
-      times.push_back(
-          std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
-              .count());
+      times.push_back(watch.ms());
       const House& house = choice.best.house;
       const int guess = choice.found ? static_cast<int>(house.foundation) : 5;
       ++confusion[t][guess];

@@ -14,6 +14,7 @@
 #include <gable/engine/io/shapes/scale_model_file.h>
 #include <gable/engine/reconstruct/scan/scan_solids.h>
 #include <gable/engine/scales/detect_scales.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/grammar/random.h>
 #include <gable/grammar/solid/validity.h>
 #include <gable/training/scans/cityjson_surfaces.h>
@@ -21,7 +22,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -85,10 +85,9 @@ void measure(const BuildingSurface& building, const ScaleModel& model, double de
       write_scan_ply((std::filesystem::path(folder) / name).string(), scan);
     }
     const DetectedScales detected = detect_scales(scan, model, {});
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::vector<ScanSolid> solids = close_scales(scan, detected.scales, {});
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = 1e-3 * watch.ms();
     for (size_t k = 0; k < solids.size(); ++k) {
       const ScanSolid& solid = solids[k];
       if (!solid.reason.empty()) {

@@ -4,6 +4,7 @@
 //   gable_check_tiles [kills] [seed] [cells along a side of the largest raster] [folder]
 
 #include <gable/engine/io/raster/raster_writer.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/grammar/random.h>
 #include <gable/grammar/synthesis/village.h>
 #include <sys/resource.h>
@@ -28,7 +29,6 @@ namespace gable {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 struct Run {
   bool finished = false;
@@ -44,7 +44,7 @@ Run run_gable(std::vector<std::string> arguments, double seconds = -1.0) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const pid_t child = fork();
   if (child == 0) {
     execv(pointers.front(), pointers.data());
@@ -59,7 +59,7 @@ Run run_gable(std::vector<std::string> arguments, double seconds = -1.0) {
   wait4(child, &status, 0, &usage);
   Run run;
   run.finished = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  run.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  run.seconds = 1e-3 * watch.ms();
   run.peak_mib = static_cast<double>(usage.ru_maxrss) / 1024.0;
   return run;
 }

@@ -1,11 +1,11 @@
 #include <gable/engine/scales/refit_shapes.h>
 #include <gable/engine/scales/shape_samples.h>
 #include <gable/engine/solver/unstrained_refinement.h>
+#include <gable/engine/stopwatch.h>
 #include <glog/logging.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -133,7 +133,7 @@ std::string check(const RefitOptions& options) {
 PlaneRefit refit_shapes(const Scan& scan, const std::vector<int>& shape_of,
                         const RefitOptions& options) {
   CHECK(check(options).empty()) << check(options);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const ShapeSamples samples = sample_shapes(scan, shape_of);
   PlaneRefit out;
   std::vector<PointMoments> all;
@@ -193,8 +193,7 @@ PlaneRefit refit_shapes(const Scan& scan, const std::vector<int>& shape_of,
   for (size_t k = 0; k < fitted.size(); ++k) out.after[fitted[k]] = planes[k];
   out.rms_before = rms(all, out.before);
   out.rms_after = rms(all, out.after);
-  out.time_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  out.time_ms = watch.ms();
   return out;
 }
 

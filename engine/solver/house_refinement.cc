@@ -1,10 +1,10 @@
 #include <gable/engine/solver/house_problem.h>
 #include <gable/engine/solver/house_refinement.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/residuals/house_height_cost.h>
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace gable {
 
@@ -37,7 +37,7 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
   CHECK(check(options).empty()) << check(options);
   CHECK(is_well_formed(*house));
   CHECK(house->origin == image.origin) << "house and image have different local frames";
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
 
   const std::vector<double*> blocks = parameter_blocks(house);
   RefinementSummary summary;
@@ -87,8 +87,7 @@ RefinementSummary refine_house(const HeightImage& image, const RefinementOptions
   }
   summary.final_cost = summary.stages.back().final_cost;
   summary.termination = summary.stages.back().termination;
-  summary.time_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  summary.time_ms = watch.ms();
   return summary;
 }
 

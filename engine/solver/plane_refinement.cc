@@ -1,4 +1,5 @@
 #include <gable/engine/solver/plane_refinement.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/residuals/moments_to_plane.h>
 #include <gable/residuals/plane_relations.h>
 #include <gable/residuals/robust_loss.h>
@@ -6,7 +7,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace gable {
@@ -128,7 +128,7 @@ PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
                                      std::vector<OrientedPlane>* planes) {
   CHECK(check(options).empty()) << check(options);
   CHECK_EQ(supports.size(), planes->size());
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
 
   // Regularities weigh against the unweighted points, so that reweighting leaves them alone.
   std::vector<Stiffness> stiffnesses;
@@ -191,8 +191,7 @@ PlaneRefinementSummary refine_planes(const std::vector<Eigen::Vector3d>& points,
     plane = {plane.normal(), plane.offset() + plane.normal().dot(stiffnesses[i].centroid)};
   }
   if (weighted.weight > 0.0) summary.rmse = std::sqrt(weighted.squares / weighted.weight);
-  summary.time_ms =
-      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  summary.time_ms = watch.ms();
   return summary;
 }
 

@@ -6,11 +6,11 @@
 #include <gable/engine/reconstruct/choice/penalised_cost.h>
 #include <gable/engine/reconstruct/neighbours/join_neighbours.h>
 #include <gable/engine/reconstruct/neighbours/neighbour_groups.h>
+#include <gable/engine/stopwatch.h>
 #include <gable/grammar/height_field.h>
 #include <glog/logging.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -78,7 +78,7 @@ class Group {
  private:
   /// Refines what relations still hold together. Where houses fail, drops their relations.
   std::optional<GroupResult> try_once() {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     std::vector<House> houses;
     for (const FittedBuilding& fitted : fitted_) houses.push_back(*fitted.building->house);
     std::vector<int> slots(houses.size(), -1);
@@ -111,8 +111,7 @@ class Group {
       made->relations = used_by(static_cast<int>(i), before, summary.misfits);
       joined.emplace_back(members_[i], std::move(*made));
     }
-    const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const double ms = watch.ms();
     for (auto& [member, made] : joined) {
       made.building.quality.time_ms += ms / static_cast<double>(joined.size());
     }
