@@ -1,3 +1,4 @@
+#include <gable/engine/reconstruct/choice/narrow_blocks.h>
 #include <gable/engine/reconstruct/choice/penalised_cost.h>
 #include <gable/grammar/height_field.h>
 #include <gable/residuals/house_height_cost.h>
@@ -19,6 +20,9 @@ constexpr double kLowFlatCharge = 15.0;
 constexpr double kFittingShare = 0.75;
 constexpr double kFittingDeviations = 2.5;
 constexpr double kUnfitCharge = 80.0;
+
+// What a component that shows itself as a strip only costs (narrow_blocks.h).
+constexpr double kNarrowCharge = 80.0;
 
 // Pixels that count: those of the building. Empty ground around it says nothing about how many
 // parameters a house deserves, and would make the price depend on the crop's margin.
@@ -107,6 +111,7 @@ PenalisedCost penalised_cost(const HeightImage& image, const House& house,
   PenalisedCost cost = derivation_cost(image, house);
   cost.squared_residuals = squared_residuals(image, house, options);
   const double charge = kUnfitCharge * count_unfit_blocks(image, house, options.noise) +
+                        kNarrowCharge * count_narrow_blocks(image, house) +
                         options.foundation_charge[static_cast<size_t>(house.foundation)];
   cost.prior += charge;
   cost.total += charge + cost.squared_residuals / (options.noise * options.noise);

@@ -96,6 +96,17 @@ TEST(PenalisedCost, ChargesLowFlatBlocksBesideOthers) {
   EXPECT_EQ(derivation_cost(image, alone).prior, 0.0);
 }
 
+TEST(PenalisedCost, ChargesComponentsThatAreStripsOnly) {
+  House house = make_house(Foundation::kII);
+  house.footprints = {rectangle_rule(-6.0, 6.0, -4.0, 4.0), rectangle_rule(-8.0, 8.0, -6.0, 6.0)};
+  house.roofs = {flat_roof(6.0), flat_roof(4.0)};
+  const HeightImage image = image_of(house);
+  EXPECT_EQ(penalised_cost(image, house, {}).prior, 0.0);
+  house.footprints[1] = rectangle_rule(-6.5, 6.5, -4.5, 4.5);
+  const HeightImage shell = image_of(house);
+  EXPECT_EQ(penalised_cost(shell, house, {}).prior, 80.0);
+}
+
 TEST(PenalisedCost, ChargesBlocksThatDoNotFitWhatTheyShow) {
   const House truth = detailed_house();
   const HeightImage image = image_of(truth, {.noise = 0.1});
