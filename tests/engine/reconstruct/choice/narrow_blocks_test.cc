@@ -46,6 +46,13 @@ TEST(NarrowBlocks, WingsAreNoneAndDormersHideNothing) {
   EXPECT_EQ(count_narrow_blocks(image_of(house), house), 0);
 }
 
+TEST(NarrowBlocks, AnAnnexBesideABlockIsNoneHoweverNarrow) {
+  House house = make_house(Foundation::kII);
+  house.footprints = {rectangle_rule(-8.0, 2.0, -4.0, 4.0), rectangle_rule(2.0, 3.0, -3.0, 3.0)};
+  house.roofs = {gable_roof(5.0, 2.5, Axis::kX), flat_roof(3.0)};
+  EXPECT_EQ(count_narrow_blocks(image_of(house), house), 0);
+}
+
 TEST(NarrowBlocks, AHouseOfOneComponentHasNoneHoweverNarrow) {
   const House house = box_house(10.0, 1.0, flat_roof(3.0));
   EXPECT_EQ(count_narrow_blocks(image_of(house), house), 0);
