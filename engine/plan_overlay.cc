@@ -1,3 +1,4 @@
+#include <gable/engine/ogr_polygon.h>
 #include <gable/engine/plan_overlay.h>
 #include <gable/grammar/ring.h>
 #include <ogr_geometry.h>
@@ -14,24 +15,11 @@ constexpr double kLeastArea = 1e-4;  // square metres
 
 using Geometry = std::unique_ptr<OGRGeometry>;
 
-OGRLinearRing linear_ring(const Ring& ring) {
-  OGRLinearRing points;
-  for (const Eigen::Vector2d& p : ring) points.addPoint(p.x(), p.y());
-  points.closeRings();
-  return points;
-}
-
 OGRMultiPolygon geometry_of(const PlanShape& shape) {
   OGRMultiPolygon geometry;
   for (const PlanPolygon& polygon : shape) {
-    OGRPolygon rings;
-    OGRLinearRing outer = linear_ring(polygon.outer);
-    rings.addRing(&outer);
-    for (const Ring& hole : polygon.holes) {
-      OGRLinearRing inner = linear_ring(hole);
-      rings.addRing(&inner);
-    }
-    geometry.addGeometry(&rings);
+    const OGRPolygon part = ogr_polygon(polygon);
+    geometry.addGeometry(&part);
   }
   return geometry;
 }

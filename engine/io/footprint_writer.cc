@@ -4,29 +4,12 @@
 #include <gable/engine/io/gdal_messages.h>
 #include <gable/engine/io/memory_file.h>
 #include <gable/engine/io/ogr_crs.h>
+#include <gable/engine/ogr_polygon.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 namespace gable {
 namespace {
-
-OGRLinearRing ogr_ring(const std::vector<Eigen::Vector2d>& ring) {
-  OGRLinearRing out;
-  for (const Eigen::Vector2d& p : ring) out.addPoint(p.x(), p.y());
-  out.closeRings();
-  return out;
-}
-
-OGRPolygon ogr_polygon(const PlanPolygon& polygon) {
-  OGRPolygon out;
-  OGRLinearRing outer = ogr_ring(polygon.outer);
-  out.addRing(&outer);
-  for (const auto& hole : polygon.holes) {
-    OGRLinearRing inner = ogr_ring(hole);
-    out.addRing(&inner);
-  }
-  return out;
-}
 
 /// Whether all features could be written.
 bool write_layer(GDALDataset* dataset, const std::vector<Footprint>& footprints, const Crs& crs) {
