@@ -73,6 +73,16 @@ PlanShape difference_of(const PlanShape& a, const PlanShape& b) {
   return shape_of(Geometry(first.Difference(&second)));
 }
 
+PlanShape moved(PlanShape shape, const Eigen::Vector2d& step) {
+  for (PlanPolygon& polygon : shape) {
+    for (Eigen::Vector2d& p : polygon.outer) p += step;
+    for (Ring& hole : polygon.holes) {
+      for (Eigen::Vector2d& p : hole) p += step;
+    }
+  }
+  return shape;
+}
+
 double area_of(const PlanShape& shape) {
   double area = 0.0;
   for (const PlanPolygon& polygon : shape) {

@@ -17,6 +17,9 @@ PlanShape union_of(const PlanShape& a, const PlanShape& b);
 PlanShape common_of(const PlanShape& a, const PlanShape& b);
 PlanShape difference_of(const PlanShape& a, const PlanShape& b);
 
+/// A part of the plan, moved by `step`.
+PlanShape moved(PlanShape shape, const Eigen::Vector2d& step);
+
 /// Area in square metres.
 double area_of(const PlanShape& shape);
 

@@ -49,6 +49,13 @@ TEST(PlanOverlay, NothingIsTheNeutralElement) {
   EXPECT_TRUE(difference_of({}, a).empty());
 }
 
+TEST(PlanOverlay, WhatIsMovedKeepsItsAreaAndTakesItsHolesAlong) {
+  const PlanShape frame = difference_of({box(0, 0, 10, 10)}, {box(2, 2, 8, 8)});
+  const PlanShape away = moved(frame, {20.0, -5.0});
+  EXPECT_NEAR(area_of(away), 64.0, 1e-12);
+  EXPECT_NEAR(area_of(common_of(away, {box(20, -5, 30, 5)})), 64.0, 1e-9);
+}
+
 TEST(PlanOverlay, EveryPointIsWhereThePartsSayItIs) {
   Random random(3);
   for (int trial = 0; trial < 50; ++trial) {

@@ -21,7 +21,7 @@ constexpr double kFittingShare = 0.75;
 constexpr double kFittingDeviations = 2.5;
 constexpr double kUnfitCharge = 80.0;
 
-// What a component that shows itself as a strip only costs (narrow_blocks.h).
+// What a shell around a component or a sliver in one costs (narrow_blocks.h).
 constexpr double kNarrowCharge = 80.0;
 
 // Pixels that count: those of the building. Empty ground around it says nothing about how many

@@ -40,16 +40,6 @@ PlanPolygon one_polygon(const PlanShape& plan) {
   return {rings.front(), {rings.begin() + 1, rings.end()}};
 }
 
-PlanShape moved(PlanShape shape, const Eigen::Vector2d& step) {
-  for (PlanPolygon& polygon : shape) {
-    for (Eigen::Vector2d& p : polygon.outer) p += step;
-    for (Ring& hole : polygon.holes) {
-      for (Eigen::Vector2d& p : hole) p += step;
-    }
-  }
-  return shape;
-}
-
 /// Gives a house walls, and takes them back where its solids are not valid.
 void give_walls(PlanPolygon polygon, TileBuilding* made) {
   if (polygon.outer.empty()) return;

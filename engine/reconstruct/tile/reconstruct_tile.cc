@@ -1,6 +1,6 @@
 #include <gable/engine/reconstruct/first_values/detector_pool.h>
-#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 #include <gable/engine/reconstruct/tile/divide_common_ground.h>
+#include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 #include <gable/engine/reconstruct/tile/visit_tile.h>
 
 #include <algorithm>
@@ -73,7 +73,7 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
     building->building = std::move(made.building);
     building->model = std::move(made.model);
     building->choice = std::move(made.choice);
-    building->is_building = outline != nullptr || building->row > 0 ||
+    building->is_building = outline != nullptr || building->of_row ||
                             building->building.status == BuildingStatus::kGrammar ||
                             area_inside(building->image) >= options.least_unexplained_area;
   };

@@ -72,7 +72,7 @@ std::string check(const TileOptions& options);
 struct TileBuilding {
   size_t index = 0;            ///< rises in the order of delivery
   bool is_building = true;     ///< false: taken for something else after all, and not delivered
-  int row = 0;                 ///< pieces of one row have one number within a window, others 0
+  bool of_row = false;         ///< a piece that a row was cut into
   std::vector<PlanLine> cuts;  ///< of a row's piece, local frame; it lies on their negative sides
   Building building;
   BuildingModel model;

@@ -1,4 +1,5 @@
 #include <gable/engine/ordered_pool.h>
+#include <gable/engine/plan_overlay.h>
 #include <gable/engine/reconstruct/finding/found_rows.h>
 #include <gable/engine/reconstruct/tile/tile_crops.h>
 #include <gable/engine/reconstruct/tile/tile_terrain.h>
@@ -30,14 +31,6 @@ bool is_near(const PlanPolygon& polygon, const Grid& grid) {
   box.extend(grid.north_west);
   box.extend(grid.north_west + grid.gsd * Eigen::Vector2d(grid.cols, -grid.rows));
   return box.intersects({extent.min() - extent.sizes(), extent.max() + extent.sizes()});
-}
-
-PlanPolygon moved(PlanPolygon polygon, const Eigen::Vector2d& origin) {
-  for (Eigen::Vector2d& p : polygon.outer) p -= origin;
-  for (auto& hole : polygon.holes) {
-    for (Eigen::Vector2d& p : hole) p -= origin;
-  }
-  return polygon;
 }
 
 /// Centres of houses are half cells apart; their ids differ where this is more than a unit.
@@ -130,7 +123,7 @@ class TileVisit {
     visit_all(mine.size(), [&](size_t i) {
       TileBuilding out;
       out.image = crop_found_house(window.dsm, window.dtm, found, mine[i], options_.crop);
-      out.row = found.houses[mine[i]].row;
+      out.of_row = found.houses[mine[i]].row > 0;
       out.cuts = found.houses[mine[i]].cuts;
       for (PlanLine& cut : out.cuts) cut.offset -= cut.normal.dot(out.image.origin.head<2>());
       make_(ids[i], nullptr, &out);
@@ -163,7 +156,7 @@ class TileVisit {
       TileBuilding out;
       out.image =
           crop_footprint(window.dsm, window.dtm, outlined, footprint.polygon, options_.crop);
-      const PlanPolygon outline = moved(footprint.polygon, out.image.origin.head<2>());
+      const PlanPolygon outline = moved({footprint.polygon}, -out.image.origin.head<2>()).front();
       make_(footprint.id, &outline, &out);
       return out;
     });

@@ -46,7 +46,7 @@ class VisitTile : public testing::Test {
     };
     callbacks.deliver = [&](TileBuilding&& made) {
       visited.ids.push_back(made.building.id);
-      visited.of_row.push_back(made.row > 0);
+      visited.of_row.push_back(made.of_row);
       visited.cells.push_back(std::count_if(made.image.inside.begin(), made.image.inside.end(),
                                             [](auto inside) { return inside != 0; }));
     };
