@@ -180,6 +180,28 @@ CoveredPart<T> intersect(const CoveredPart<T>& a, const CoveredPart<T>& b) {
           a.y1 > b.y1 ? b.y1 : a.y1};
 }
 
+/// Which height stands for a roof's over the covered part of a support.
+enum class RoofSampling {
+  kCentroid,  ///< that at the centroid: one surface, as a first return sees it
+  kMean,      ///< the mean, by Gauss' rule of 2 x 2 points: exact on planes, near so across ridges
+};
+
+/// The points of the rule, as shares of a rectangle's sides.
+inline constexpr std::array<double, 2> kGaussPoints = {0.21132486540518712, 0.78867513459481288};
+
+/// Mean height of a block's roof over a part of its rectangle, metres.
+template <typename T>
+T mean_roof_height(const Block<T>& block, const CoveredPart<T>& part) {
+  T sum(0.0);
+  for (const double u : kGaussPoints) {
+    for (const double v : kGaussPoints) {
+      sum = sum + roof_height(block, part.x0 * T(1.0 - u) + part.x1 * T(u),
+                              part.y0 * T(1.0 - v) + part.y1 * T(v));
+    }
+  }
+  return sum * T(0.25);
+}
+
 /// At most this many blocks are told apart in one sample.
 inline constexpr int kMaxLayers = 4;
 
@@ -187,7 +209,7 @@ inline constexpr int kMaxLayers = 4;
 template <typename T>
 struct Layer {
   int block = -1;  ///< number of the block in the list given
-  T height{};      ///< roof height at the centroid of the covered part of the support, metres
+  T height{};      ///< of the roof over the covered part of the support, see RoofSampling, metres
   T share{};       ///< visible share of the support, in [0, 1]
 };
 
@@ -206,7 +228,8 @@ struct Layers {
 /// the support's integral of a roof wherever it is one plane there. Of more than kMaxLayers blocks
 /// the highest count. support = 0: a point sample, one layer with share 1, or none.
 template <typename T, typename P>
-Layers<T> layers_at(std::span<const Block<T>> blocks, const P& x, const P& y, double support) {
+Layers<T> layers_at(std::span<const Block<T>> blocks, const P& x, const P& y, double support,
+                    RoofSampling sampling = RoofSampling::kCentroid) {
   using namespace block_value;
   Layers<T> out;
   out.ground_share = T(1.0);
@@ -220,7 +243,9 @@ Layers<T> layers_at(std::span<const Block<T>> blocks, const P& x, const P& y, do
       part = covered_part(blocks[b], x, y, support);
       if (part.empty()) continue;
       layer.height =
-          roof_height(blocks[b], (part.x0 + part.x1) * T(0.5), (part.y0 + part.y1) * T(0.5));
+          sampling == RoofSampling::kMean
+              ? mean_roof_height(blocks[b], part)
+              : roof_height(blocks[b], (part.x0 + part.x1) * T(0.5), (part.y0 + part.y1) * T(0.5));
     } else {
       if (x < blocks[b][kX0] || x >= blocks[b][kX1] || y < blocks[b][kY0] || y >= blocks[b][kY1]) {
         continue;
@@ -272,7 +297,7 @@ Layers<T> layers_at(std::span<const Block<T>> blocks, const P& x, const P& y, do
 template <typename T, typename P>
 T height_at(std::span<const Block<T>> blocks, const P& x, const P& y, double support,
             double ground) {
-  const Layers<T> seen = layers_at(blocks, x, y, support);
+  const Layers<T> seen = layers_at(blocks, x, y, support, RoofSampling::kMean);
   T height = seen.ground_share * T(ground);
   for (int k = 0; k < seen.count; ++k) {
     height = height + seen.layers[k].share * seen.layers[k].height;

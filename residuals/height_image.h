@@ -13,6 +13,9 @@ struct HeightImage {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();        ///< world
   Eigen::Vector2d first_center = Eigen::Vector2d::Zero();  ///< local centre of pixel (0, 0)
   double gsd = 0.5;                                        ///< metres; columns go east, rows south
+  /// Width of the square that every height is a mean over, metres; 0: heights are those of first
+  /// returns, each of one surface, as where a cell holds the highest of its points.
+  double spread = 0.0;
   int rows = 0;
   int cols = 0;
   std::vector<float> height;  ///< surface, rows x cols
@@ -31,6 +34,12 @@ struct HeightImage {
 /// spreading over what is not known.
 inline bool is_evidence(const HeightImage& image, size_t pixel) {
   return image.weight[pixel] >= 0.5f;
+}
+
+/// How many times its own error a pixel's height must be taken to have for all pixels to count as
+/// independent: heights that are means over more than a cell share theirs with those around them.
+inline double shared_error(const HeightImage& image) {
+  return image.spread > image.gsd ? image.spread / image.gsd : 1.0;
 }
 
 /// Whole rasters (of one grid) as the image of one building whose local frame is at `origin`

@@ -146,7 +146,9 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
   const double cosine = std::cos(parameters[0][0]);
   const double sine = std::sin(parameters[0][0]);
   const RobustLoss loss(options_.loss, options_.loss_scale);
-  const double support = options_.support;
+  const bool mean_heights = image_->spread > 0.0;
+  const double support = std::max(image_->spread, options_.support);
+  const RoofSampling sampling = mean_heights ? RoofSampling::kMean : RoofSampling::kCentroid;
   const int stride = options_.stride;
   const int used_cols = (image_->cols + stride - 1) / stride;
   const double step = image_->gsd * stride;
@@ -189,36 +191,54 @@ double HouseHeightEvaluator::accumulate(double const* const* parameters, Sums* s
       const double ground = image_->ground[i];
       const double height = image_->height[i];
 
-      const SeenLayers seen = seen_layers(blocks, ranges, c, x, y, support);
+      const SeenLayers seen = seen_layers(blocks, ranges, c, x, y, support, sampling);
       if (seen.count == 0) {
         squared += weight * loss.cost(ground - height);
         continue;
       }
       const SeenLayer& top = seen.layers[0];
       if constexpr (!kDerivatives) {
-        squared += weight * (seen.top_only ? loss.cost(top.height - height)
-                                           : layered_cost(seen, loss, ground, height, support,
-                                                          nullptr, nullptr));
+        if (seen.top_only) {
+          squared += weight * loss.cost(top.height - height);
+        } else if (mean_heights) {
+          squared += weight * loss.cost(layered_mean(seen, layer_heights(seen, ground), support,
+                                                     nullptr, nullptr) -
+                                        height);
+        } else {
+          squared += weight * layered_mean(seen, layer_costs(seen, loss, ground, height), support,
+                                           nullptr, nullptr);
+        }
         continue;
       }
-      if (seen.top_only) {
+      if (sees_one_facet(seen)) {
         double residual, slope;
         loss.evaluate(top.height - height, &residual, &slope);
         squared += weight * residual * residual;
-        const int facet = static_cast<int>(top.facet);
+        const int facet = static_cast<int>(top.facets[0]);
         const Eigen::Vector2d& anchor = gradients[top.block][facet].anchor;
         sums->facets[top.block][facet].add(x - anchor.x(), y - anchor.y(), slope, residual, weight);
         continue;
       }
       std::array<BlockGradient, kMaxLayers> derivatives;
-      const double cost =
-          layered_cost(seen, loss, ground, height, support, &gradients, derivatives.data());
-      squared += weight * cost;
-      // Far below a millimetre the root has no derivative, and no need of one.
-      const double residual = std::sqrt(weight * std::max(cost, 1e-12));
+      double residual, by_mean;
+      if (mean_heights) {
+        const double mean = layered_mean(seen, layer_heights(seen, ground), support, &gradients,
+                                         derivatives.data());
+        loss.evaluate(mean - height, &residual, &by_mean);
+        residual *= std::sqrt(weight);
+        by_mean *= std::sqrt(weight);
+        squared += residual * residual;
+      } else {
+        const double cost = layered_mean(seen, layer_costs(seen, loss, ground, height), support,
+                                         &gradients, derivatives.data());
+        squared += weight * cost;
+        // Far below a millimetre the root has no derivative, and no need of one.
+        residual = std::sqrt(weight * std::max(cost, 1e-12));
+        by_mean = 0.5 * weight / residual;
+      }
       std::array<SumVector, kMaxLayers> v;
       for (int k = 0; k < seen.count; ++k) {
-        v[k].head<kNumBlockValues>() = (0.5 * weight / residual) * derivatives[k];
+        v[k].head<kNumBlockValues>() = by_mean * derivatives[k];
         // The azimuth moves the sample point: the residual depends on x only through x - x0 and
         // x - x1 of every block, hence d/dx = -sum (d/dx0 + d/dx1), likewise y; and turning the
         // house by d moves the point in the house frame by (y, -x) d.

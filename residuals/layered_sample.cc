@@ -3,12 +3,46 @@
 #include <algorithm>
 
 namespace gable {
+namespace {
+
+// Points of a rectangle as shares of its sides, and what each counts.
+struct SamplePoints {
+  int count;
+  std::array<std::array<double, 2>, 4> share;
+};
+
+constexpr double kG0 = kGaussPoints[0], kG1 = kGaussPoints[1];
+constexpr SamplePoints kCentroidPoint = {1, {{{0.5, 0.5}}}};
+constexpr SamplePoints kMeanPoints = {4, {{{kG0, kG0}, {kG0, kG1}, {kG1, kG0}, {kG1, kG1}}}};
+
+const SamplePoints& points_of(RoofSampling sampling) {
+  return sampling == RoofSampling::kMean ? kMeanPoints : kCentroidPoint;
+}
+
+double along(double from, double to, double share) { return from + (to - from) * share; }
+
+void sample_roof(const Block<double>& block, RoofSampling sampling, SeenLayer* layer) {
+  const SamplePoints& points = points_of(sampling);
+  const CoveredPart<double>& part = layer->part;
+  layer->height = 0.0;
+  for (int i = 0; i < points.count; ++i) {
+    const double x = along(part.x0, part.x1, points.share[i][0]);
+    const double y = along(part.y0, part.y1, points.share[i][1]);
+    layer->facets[i] = roof_facet<double, double>(block, x, y);
+    layer->height += facet_height<double, double>(block, layer->facets[i], x, y);
+  }
+  layer->height /= points.count;
+  for (int i = points.count; i < 4; ++i) layer->facets[i] = layer->facets[0];
+}
+
+}  // namespace
 
 SeenLayers seen_layers(const std::vector<Block<double>>& blocks,
                        std::span<const ColumnRange> ranges, int column, double x, double y,
-                       double support) {
+                       double support, RoofSampling sampling) {
   using namespace block_value;
   SeenLayers seen;
+  seen.sampling = sampling;
   const double half = 0.5 * support;
   const double x_low = x - half, x_high = x + half, y_low = y - half, y_high = y + half;
   for (int b = 0; b < static_cast<int>(blocks.size()); ++b) {
@@ -20,10 +54,7 @@ SeenLayers seen_layers(const std::vector<Block<double>>& blocks,
                   layer.cut[2] ? block[kY0] : y_low, layer.cut[3] ? block[kY1] : y_high};
     if (layer.part.empty()) continue;
     layer.block = b;
-    const double center_x = 0.5 * (layer.part.x0 + layer.part.x1);
-    const double center_y = 0.5 * (layer.part.y0 + layer.part.y1);
-    layer.facet = roof_facet<double, double>(block, center_x, center_y);
-    layer.height = facet_height<double, double>(block, layer.facet, center_x, center_y);
+    sample_roof(block, sampling, &layer);
     int at = seen.count;
     while (at > 0 && seen.layers[at - 1].height < layer.height) --at;
     if (at == kMaxLayers) continue;
@@ -40,18 +71,15 @@ SeenLayers seen_layers(const std::vector<Block<double>>& blocks,
   return seen;
 }
 
-double layered_cost(const SeenLayers& seen, const RobustLoss& loss, double ground, double height,
-                    double support, const FacetGradients* gradients, BlockGradient* derivatives) {
+double layered_mean(const SeenLayers& seen, const LayerValues& values, double support,
+                    const FacetGradients* gradients, BlockGradient* derivatives) {
   const double inverse_area = 1.0 / (support * support);
-  const double ground_cost = loss.cost(ground - height);
-  // d E / d edge of each layer's covered part.
+  // d mean / d edge of each layer's covered part.
   std::array<std::array<double, 4>, kMaxLayers> edges{};
-  double total = ground_cost;
+  double total = values.ground;
   for (int k = 0; k < seen.count; ++k) {
     const SeenLayer& layer = seen.layers[k];
-    double robust, slope;
-    loss.evaluate(layer.height - height, &robust, &slope);
-    const double gain = (robust * robust - ground_cost) * inverse_area;
+    const double gain = (values.value[k] - values.ground) * inverse_area;
     double visible = 0.0;
     for (int set = 0; set < (1 << k); ++set) {
       CoveredPart<double> common = layer.part;
@@ -76,16 +104,21 @@ double layered_cost(const SeenLayers& seen, const RobustLoss& loss, double groun
     }
     total += gain * visible;
     if (derivatives == nullptr) continue;
-    const FacetGradient& gradient = (*gradients)[layer.block][static_cast<int>(layer.facet)];
-    const double by_height = visible * inverse_area * 2.0 * robust * slope;
-    derivatives[k] = by_height * gradient.at(0.5 * (layer.part.x0 + layer.part.x1),
-                                             0.5 * (layer.part.y0 + layer.part.y1));
-    const double by_x = 0.5 * by_height * gradient.slope.x();
-    const double by_y = 0.5 * by_height * gradient.slope.y();
-    edges[k][0] += by_x;
-    edges[k][1] += by_x;
-    edges[k][2] += by_y;
-    edges[k][3] += by_y;
+    const SamplePoints& points = points_of(seen.sampling);
+    const double by_height = visible * inverse_area * values.by_height[k] / points.count;
+    derivatives[k].setZero();
+    for (int i = 0; i < points.count; ++i) {
+      const FacetGradient& gradient = (*gradients)[layer.block][static_cast<int>(layer.facets[i])];
+      const auto [u, v] = points.share[i];
+      derivatives[k] += by_height * gradient.at(along(layer.part.x0, layer.part.x1, u),
+                                                along(layer.part.y0, layer.part.y1, v));
+      const double by_x = by_height * gradient.slope.x();
+      const double by_y = by_height * gradient.slope.y();
+      edges[k][0] += (1.0 - u) * by_x;
+      edges[k][1] += u * by_x;
+      edges[k][2] += (1.0 - v) * by_y;
+      edges[k][3] += v * by_y;
+    }
   }
   if (derivatives == nullptr) return total;
   static_assert(block_value::kX0 == 0 && block_value::kX1 == 1 && block_value::kY0 == 2 &&
@@ -96,6 +129,29 @@ double layered_cost(const SeenLayers& seen, const RobustLoss& loss, double groun
     }
   }
   return total;
+}
+
+LayerValues layer_costs(const SeenLayers& seen, const RobustLoss& loss, double ground,
+                        double height) {
+  LayerValues values;
+  values.ground = loss.cost(ground - height);
+  for (int k = 0; k < seen.count; ++k) {
+    double robust, slope;
+    loss.evaluate(seen.layers[k].height - height, &robust, &slope);
+    values.value[k] = robust * robust;
+    values.by_height[k] = 2.0 * robust * slope;
+  }
+  return values;
+}
+
+LayerValues layer_heights(const SeenLayers& seen, double ground) {
+  LayerValues values;
+  values.ground = ground;
+  for (int k = 0; k < seen.count; ++k) {
+    values.value[k] = seen.layers[k].height;
+    values.by_height[k] = 1.0;
+  }
+  return values;
 }
 
 }  // namespace gable

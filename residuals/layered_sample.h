@@ -19,8 +19,10 @@ struct ColumnRange {
 /// A block as one sample sees it, with what its derivatives need.
 struct SeenLayer {
   int block = -1;
-  Facet facet = Facet::kFlat;
-  double height = 0.0;        ///< at the centroid of the covered part, metres
+  double height = 0.0;  ///< of the roof over the covered part, metres
+  /// The facets at the points that the height is taken from: the centroid's, or those at
+  /// kGaussPoints in x by kGaussPoints in y. All are set.
+  std::array<Facet, 4> facets{};
   CoveredPart<double> part;   ///< of the support, house frame
   std::array<bool, 4> cut{};  ///< whether part.x0, x1, y0, y1 are the block's edges
 };
@@ -30,28 +32,49 @@ struct SeenLayer {
 struct SeenLayers {
   int count = 0;
   bool top_only = false;  ///< the highest block covers the whole support
+  RoofSampling sampling = RoofSampling::kCentroid;
   std::array<SeenLayer, kMaxLayers> layers;
 };
 
 /// support > 0. Only blocks whose range holds `column` are looked at.
 SeenLayers seen_layers(const std::vector<Block<double>>& blocks,
                        std::span<const ColumnRange> ranges, int column, double x, double y,
-                       double support);
+                       double support, RoofSampling sampling);
+
+/// The only facet that a sample sees, if it is only one.
+inline bool sees_one_facet(const SeenLayers& seen) {
+  const auto& f = seen.layers[0].facets;
+  return seen.top_only && f[0] == f[1] && f[0] == f[2] && f[0] == f[3];
+}
 
 using BlockGradient = Eigen::Matrix<double, kNumBlockValues, 1>;
 /// The facets' gradients of every block, by facet.
 using FacetGradients = std::vector<std::array<FacetGradient, kNumFacets>>;
 
-/// E(p) of a sample (see HouseHeightEvaluator) over the layers it sees, square metres. Where
-/// `derivatives` is not null, derivatives[k] is set to d E / d (values of the block of layer k).
+/// Something that each layer of a sample and the ground have, in their order.
+struct LayerValues {
+  double ground = 0.0;
+  std::array<double, kMaxLayers> value{};
+  std::array<double, kMaxLayers> by_height{};  ///< d value / d height of the layer
+};
+
+/// What a sample costs by each layer, square metres: rho(z_k - height).
+LayerValues layer_costs(const SeenLayers& seen, const RobustLoss& loss, double ground,
+                        double height);
+
+/// The layers' heights themselves, metres.
+LayerValues layer_heights(const SeenLayers& seen, double ground);
+
+/// The mean of the values over the support: ground + sum_k (value_k - ground) a_k / support^2 with
+/// the visible areas a_k. Where `derivatives` is not null, derivatives[k] is set to d mean /
+/// d (values of the block of layer k).
 ///
 /// The derivatives are written out because this is the innermost loop of every refinement; they are
-/// tested against automatic differentiation of layers_at. With rho_k the losses and a_k the
-/// visible areas, E = rho_ground + sum_k (rho_k - rho_ground) a_k / support^2. A visible area is a
-/// signed sum of areas of rectangles common to covered parts, each of whose edges belongs to one
-/// part; moving it sweeps the rectangle's other extent. Heights change with the block's values and,
-/// half as fast as a cut edge, with the centroid of the covered part.
-double layered_cost(const SeenLayers& seen, const RobustLoss& loss, double ground, double height,
-                    double support, const FacetGradients* gradients, BlockGradient* derivatives);
+/// tested against automatic differentiation of layers_at. A visible area is a signed sum of areas
+/// of rectangles common to covered parts, each of whose edges belongs to one part; moving it sweeps
+/// the rectangle's other extent. Heights change with the block's values and with the points that
+/// they are taken at; these follow a cut edge, the centroid half as fast as it moves.
+double layered_mean(const SeenLayers& seen, const LayerValues& values, double support,
+                    const FacetGradients* gradients, BlockGradient* derivatives);
 
 }  // namespace gable

@@ -63,7 +63,8 @@ HouseErrors house_errors(const HeightImage& image, const House& house) {
       if (!is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
       if (field.block_at_house(p) < 0) continue;
-      const double error = std::abs(field.at_house(p, 0.0, image.ground[i]) - image.height[i]);
+      const double error =
+          std::abs(field.at_house(p, image.spread, image.ground[i]) - image.height[i]);
       errors.push_back(error);
       sum += error;
       squares += error * error;
@@ -75,7 +76,7 @@ HouseErrors house_errors(const HeightImage& image, const House& house) {
   out.mad = sum / n;
   out.rmse = std::sqrt(squares / n);
   std::nth_element(errors.begin(), errors.begin() + errors.size() / 2, errors.end());
-  out.noise = 1.4826 * errors[errors.size() / 2];
+  out.noise = shared_error(image) * 1.4826 * errors[errors.size() / 2];
   return out;
 }
 

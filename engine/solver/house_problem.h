@@ -19,11 +19,14 @@ std::vector<double*> parameter_blocks(House* house);
 /// infeasible starts. The blocks must be in the problem.
 void set_house_bounds(const HeightImage& image, House* house, ceres::Problem* problem);
 
-/// How a house differs from the measured pixels that it covers, point samples, metres.
+/// How a house differs from the measured pixels that it covers, metres: from point samples, or from
+/// means over the image's spread.
 struct HouseErrors {
-  double mad = 0.0;    ///< mean |h - height|
-  double rmse = 0.0;   ///< root mean square
-  double noise = 0.0;  ///< robust standard deviation: 1.4826 times the median of |h - height|
+  double mad = 0.0;   ///< mean |h - height|
+  double rmse = 0.0;  ///< root mean square
+  /// Robust standard deviation, 1.4826 times the median of |h - height|, of heights that are wrong
+  /// independently of each other (`shared_error`).
+  double noise = 0.0;
 };
 
 HouseErrors house_errors(const HeightImage& image, const House& house);

@@ -63,7 +63,9 @@ struct RefinementSummary {
   int iterations = 0;        ///< over all stages
   double time_ms = 0.0;
   Termination termination = Termination::kFailed;  ///< of the last stage
-  double mad = 0.0;   ///< mean |h - height| over the pixels the house covers, point samples, metres
+  /// Mean |h - height| over the pixels the house covers, metres: point samples, or means over the
+  /// image's spread.
+  double mad = 0.0;
   double rmse = 0.0;  ///< root mean square over the same pixels, metres
   /// Standard deviations per rule in derivation order; empty if not asked for.
   std::vector<std::vector<double>> deviations;

@@ -17,6 +17,7 @@
 #include "examples/cli/detector_options.h"
 #include "examples/cli/model_outputs.h"
 #include "examples/cli/progress.h"
+#include "examples/cli/spread_option.h"
 #include "examples/cli/tile_files.h"
 #include "examples/cli/window_outputs.h"
 
@@ -34,6 +35,7 @@ struct ReconstructOptions {
   bool no_scales = false, no_classical = false;
   std::string filter;
   std::vector<std::string> explain;  ///< ids
+  std::optional<double> spread;
   bool no_join = false;
   bool no_cut = false;
   int window_cells = TileOptions().window_cells;
@@ -147,6 +149,7 @@ void run(ReconstructOptions options, const CLI::App& command, const CommandConte
   if (tile_options.detectors.empty() && !options.detectors.none) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
+  tile_options.spread = options.spread;
   tile_options.join_neighbours = !options.no_join;
   tile_options.cut_rows = !options.no_cut;
   std::optional<ModelOutputs> outputs;   // either these
@@ -222,6 +225,7 @@ void add_reconstruct_command(CLI::App* app, const CommandContext& context) {
                    "bounding box enlarged to twice its size")
       ->type_name("FILE")
       ->excludes(footprints);
+  add_spread_option(command, &options->spread);
   add_detector_options(command, &options->detectors);
   command->add_flag("--no-scales", options->no_scales,
                     "Take no first values from the planes at the buildings' structural scales");

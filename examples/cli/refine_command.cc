@@ -12,6 +12,7 @@
 #include "examples/cli/model_input.h"
 #include "examples/cli/model_outputs.h"
 #include "examples/cli/progress.h"
+#include "examples/cli/spread_option.h"
 
 namespace gable {
 namespace {
@@ -20,6 +21,7 @@ struct RefineOptions {
   CommonOptions common;
   OutputOptions output;
   std::string dsm, dtm, init, crs;
+  std::optional<double> spread;
 };
 
 void run(const RefineOptions& options, const CommandContext& context) {
@@ -34,6 +36,7 @@ void run(const RefineOptions& options, const CommandContext& context) {
   ModelOutputs outputs(options.output, writer_options);
 
   RefineModelsOptions refine_options;
+  refine_options.spread = options.spread;
   refine_options.threads = options.common.num_threads();
   Progress progress("buildings", buildings.size(), progress_style(options.common.quiet), std::cerr);
   TileCallbacks callbacks;
@@ -72,6 +75,7 @@ void add_refine_command(CLI::App* app, const CommandContext& context) {
       ->add_option("--crs", options->crs,
                    "Reference system of rasters that carry none, in projected metres: EPSG:27700")
       ->type_name("CRS");
+  add_spread_option(command, &options->spread);
   add_output_options(command, &options->output);
   add_common_options(command, &options->common);
   command->callback([options, context] { run(*options, context); });

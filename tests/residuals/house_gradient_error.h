@@ -18,13 +18,14 @@ inline constexpr double kHouseGradientStep = 1e-3;
 // Sets the weights of all pixels to zero that have a kink within the differencing interval of any
 // parameter (see kinks.h); returns the share that is left.
 inline double keep_smooth_pixels(const House& house, double support, HeightImage* image) {
+  const RoofSampling sampling = image->spread > 0.0 ? RoofSampling::kMean : RoofSampling::kCentroid;
   const HeightField center(house);
   const std::vector<HeightField> fields = moved_fields(house, kHouseGradientStep);
   int kept = 0;
   for (int row = 0; row < image->rows; ++row) {
     for (int col = 0; col < image->cols; ++col) {
-      const bool smooth =
-          is_smooth_around(center, fields, house, image->center_of(row, col), support);
+      const bool smooth = is_smooth_around(center, fields, house, image->center_of(row, col),
+                                           std::max(support, image->spread), sampling);
       image->weight[image->index(row, col)] = smooth ? 1.0f : 0.0f;
       kept += smooth ? 1 : 0;
     }

@@ -5,6 +5,7 @@
 #include <gable/residuals/robust_loss.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "residuals/random_houses.h"
@@ -42,10 +43,13 @@ void plain_normal_equations(const House& house, const HeightImage& image,
       const Eigen::Vector2d p = image.center_of(row, col);
       const WideJet x = cosine * p.x() + sine * p.y();
       const WideJet y = cosine * p.y() - sine * p.x();
-      const auto seen = layers_at<WideJet, WideJet>(blocks, x, y, options.support);
       const double z = image.height[i];
+      const double support = std::max(options.support, image.spread);
+      const auto seen = layers_at<WideJet, WideJet>(blocks, x, y, support);
       WideJet r;
-      if (seen.count > 0 && seen.layers[0].share.a == 1.0) {
+      if (image.spread > 0.0) {
+        r = loss.robust(height_at<WideJet, WideJet>(blocks, x, y, support, image.ground[i]) - z);
+      } else if (seen.count > 0 && seen.layers[0].share.a == 1.0) {
         r = loss.robust(seen.layers[0].height - z);
       } else {
         WideJet cost = seen.ground_share * loss.cost(image.ground[i] - z);
@@ -66,7 +70,8 @@ TEST(HouseHeightCost, NormalEquationsEqualThePlainOnesPixelByPixel) {
   for (uint64_t seed = 0; seed < 20; ++seed) {
     Random random(seed);
     const House house = rich_house(kAllFoundations[seed % 6], &random);
-    const HeightImage image = noisy_image(seed);
+    HeightImage image = noisy_image(seed);
+    image.spread = random.chance(0.5) ? 1.2 : 0.0;
     const HeightCostOptions options{
         random.chance(0.5) ? 2.0 : 0.5,
         random.chance(0.5) ? LossKind::kSoftL1 : LossKind::kGemanMcClure, 0.3,

@@ -11,12 +11,13 @@ namespace gable {
 
 // What a pixel costs is smooth except on kinks, where it switches from one smooth formula to
 // another: which blocks are seen in which order, which facet holds the centroid of a block's
-// covered part, in which order the edges of the covered parts come, which sides of a dormer end at
-// the wall. A PixelState names the formula, so a pixel whose state is the same at both ends and in
-// the middle of a differencing interval is differenced within one smooth formula, and its
-// differences must equal the analytic derivative. Pixels whose state changes are left out: they are
-// few, and an exact derivative does not exist there. All conditions are signs of functions that are
-// monotone over intervals as short as the tests use.
+// covered part (or each point that its mean height is taken at), in which order the edges of the
+// covered parts come, which sides of a dormer end at the wall. A PixelState names the formula, so a
+// pixel whose state is the same at both ends and in the middle of a differencing interval is
+// differenced within one smooth formula, and its differences must equal the analytic derivative.
+// Pixels whose state changes are left out: they are few, and an exact derivative does not exist
+// there. All conditions are signs of functions that are monotone over intervals as short as the
+// tests use.
 struct PixelState {
   std::vector<int> blocks;  // highest first
   std::vector<unsigned> forms;
@@ -55,10 +56,11 @@ inline std::vector<int> order(const std::vector<double>& edges) {
 }  // namespace kinks_internal
 
 inline PixelState pixel_state(const HeightField& field, const House& house,
-                              const Eigen::Vector2d& local, double support) {
+                              const Eigen::Vector2d& local, double support,
+                              RoofSampling sampling = RoofSampling::kCentroid) {
   const Eigen::Vector2d p = field.house_from_local(local);
   const auto& blocks = field.blocks();
-  const Layers<double> seen = layers_at<double, double>(blocks, p.x(), p.y(), support);
+  const Layers<double> seen = layers_at<double, double>(blocks, p.x(), p.y(), support, sampling);
   PixelState state;
   // The support's own edges come first: they tell which sides of a part are cut off.
   std::vector<double> x_edges = {p.x() - 0.5 * support, p.x() + 0.5 * support};
@@ -68,8 +70,18 @@ inline PixelState pixel_state(const HeightField& field, const House& house,
     const auto part = covered_part<double, double>(blocks[id], p.x(), p.y(), support);
     x_edges.insert(x_edges.end(), {part.x0, part.x1});
     y_edges.insert(y_edges.end(), {part.y0, part.y1});
-    unsigned form = static_cast<unsigned>(
-        kinks_internal::facet(blocks[id], 0.5 * (part.x0 + part.x1), 0.5 * (part.y0 + part.y1)));
+    const std::vector<double> shares =
+        sampling == RoofSampling::kMean
+            ? std::vector<double>(kGaussPoints.begin(), kGaussPoints.end())
+            : std::vector<double>{0.5};
+    unsigned form = 0;
+    for (const double u : shares) {
+      for (const double v : shares) {
+        form = 8 * form + static_cast<unsigned>(
+                              kinks_internal::facet(blocks[id], part.x0 + u * (part.x1 - part.x0),
+                                                    part.y0 + v * (part.y1 - part.y0)));
+      }
+    }
     const double cut[4] = {part.x0 - x_edges[0], x_edges[1] - part.x1, part.y0 - y_edges[0],
                            y_edges[1] - part.y1};
     for (double c : cut) form = 2 * form + (c > 0.0 ? 1 : 0);
@@ -122,10 +134,11 @@ inline std::vector<HeightField> moved_fields(const House& house, double step) {
 }
 
 inline bool is_smooth_around(const HeightField& center, const std::vector<HeightField>& fields,
-                             const House& house, const Eigen::Vector2d& local, double support) {
-  const PixelState state = pixel_state(center, house, local, support);
+                             const House& house, const Eigen::Vector2d& local, double support,
+                             RoofSampling sampling = RoofSampling::kCentroid) {
+  const PixelState state = pixel_state(center, house, local, support, sampling);
   return std::all_of(fields.begin(), fields.end(), [&](const HeightField& field) {
-    return pixel_state(field, house, local, support) == state;
+    return pixel_state(field, house, local, support, sampling) == state;
   });
 }
 

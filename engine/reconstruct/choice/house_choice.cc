@@ -56,7 +56,8 @@ double noise_around(const HeightImage& image, const House& house, double fallbac
       if (!image.inside[i] || !is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
       if (field.block_at_house(p) < 0) continue;
-      errors.push_back(std::abs(field.at_house(p, 0.0, 0.0) - image.height[i]));
+      errors.push_back(
+          std::abs(field.at_house(p, image.spread, image.ground[i]) - image.height[i]));
     }
   }
   if (errors.size() < 10) return fallback;
@@ -241,7 +242,7 @@ HouseChoice choose_house(const HeightImage& image, const HouseChoiceOptions& opt
   for (const Candidate& c : finalists) {
     noise = std::min(noise, noise_around(image, c.house, options.most_noise));
   }
-  penalty.noise = std::clamp(noise, options.least_noise, options.most_noise);
+  penalty.noise = std::clamp(shared_error(image) * noise, options.least_noise, options.most_noise);
   penalty.loss_scale = kOutlierScale * penalty.noise;
   choice.noise = penalty.noise;
   if (options.outline_known) {

@@ -20,6 +20,7 @@ HeightImage crop(const HeightImage& image, PixelBox box, double margin) {
   HeightImage out;
   out.origin = image.origin;
   out.gsd = image.gsd;
+  out.spread = image.spread;
   out.first_center = image.center_of(box.row0, box.col0);
   out.rows = box.row1 - box.row0;
   out.cols = box.col1 - box.col0;
@@ -86,7 +87,7 @@ double most_gain(const HeightImage& image, const HeightField& field, const Pixel
   for (size_t i : region.pixels) {
     const Eigen::Vector2d p =
         image.center_of(static_cast<int>(i) / image.cols, static_cast<int>(i) % image.cols);
-    sum += loss.cost(field.at_local(p, 0.0, image.ground[i]) - image.height[i]);
+    sum += loss.cost(field.at_local(p, image.spread, image.ground[i]) - image.height[i]);
   }
   return sum / (penalty.noise * penalty.noise);
 }
@@ -146,7 +147,7 @@ double fitting_share(const HeightImage& image, const House& house) {
         continue;
       }
       ++seen;
-      near += std::abs(field.at_house(p, 0.0, 0.0) - image.height[i]) < 0.5;
+      near += std::abs(field.at_house(p, image.spread, image.ground[i]) - image.height[i]) < 0.5;
     }
   }
   return seen > 0 ? static_cast<double>(near) / seen : 0.0;
@@ -252,7 +253,7 @@ int add_leftovers(const HeightImage& image, const LeftoverOptions& options, Hous
       const size_t i = image.index(row, col);
       if (!is_evidence(image, i)) continue;
       const Eigen::Vector2d p = field.house_from_local(image.center_of(row, col));
-      const double above = image.height[i] - field.at_house(p, 0.0, image.ground[i]);
+      const double above = image.height[i] - field.at_house(p, image.spread, image.ground[i]);
       if (above < least) continue;
       if (field.block_at_house(p) >= 0) {
         on_roof.at<unsigned char>(row, col) = 1;

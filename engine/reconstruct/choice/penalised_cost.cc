@@ -50,7 +50,9 @@ int count_unfit_blocks(const HeightImage& image, const House& house, double nois
       if (layers.count == 0) continue;
       const int b = layers.layers[0].block;
       ++seen[b];
-      near[b] += std::abs(layers.layers[0].height - image.height[i]) < kFittingDeviations * noise;
+      const double expected = image.spread > 0.0 ? field.at_house(p, image.spread, image.ground[i])
+                                                 : layers.layers[0].height;
+      near[b] += std::abs(expected - image.height[i]) < kFittingDeviations * noise;
     }
   }
   int unfit = 0;

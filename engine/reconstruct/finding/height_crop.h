@@ -32,6 +32,7 @@ struct HeightCropOptions {
   /// Weight of open cells where the outline is known, [0.1, 1]: the building ends at it in any
   /// case.
   double outside = 0.2;
+  double spread = 0.0;  ///< HeightImage::spread of the crops, metres, [0, 100]
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.

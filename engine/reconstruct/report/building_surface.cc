@@ -2,6 +2,13 @@
 #include <gable/engine/reconstruct/report/building_surface.h>
 
 namespace gable {
+namespace {
+
+// A mean over a support is taken over so many points along its sides.
+constexpr int kParts = 4;
+
+}  // namespace
+
 BuildingSurface::BuildingSurface(const Building& building, const Eigen::Vector3d& origin)
     : building_(building),
       offset_((origin_of(building) - origin).head<2>()),
@@ -14,6 +21,17 @@ double BuildingSurface::height(const Eigen::Vector2d& point, double support, dou
   if (house_ && !house_->has_outline()) {
     return house_->field().at_local(local, support, ground - offset_z_) + offset_z_;
   }
+  double sum = 0.0;
+  for (int row = 0; row < kParts; ++row) {
+    for (int col = 0; col < kParts; ++col) {
+      const Eigen::Vector2d part((col + 0.5) / kParts - 0.5, (row + 0.5) / kParts - 0.5);
+      sum += height_at(local + support * part, ground);
+    }
+  }
+  return sum / (kParts * kParts);
+}
+
+double BuildingSurface::height_at(const Eigen::Vector2d& local, double ground) const {
   if (house_) {
     const auto seen = house_->at_local(local);
     return seen ? seen->height + offset_z_ : ground;

@@ -23,7 +23,7 @@ class BuildingSurface {
   BuildingSurface(const Building& building, const Eigen::Vector3d& origin);
 
   /// Height above origin.z() at a point, averaged over a support (metres), over a terrain of height
-  /// `ground` above origin.z(). All but houses without a known outline are sampled at the point.
+  /// `ground` above origin.z().
   double height(const Eigen::Vector2d& point, double support, double ground) const;
 
   SurfacePart part(const Eigen::Vector2d& point) const;
@@ -34,6 +34,8 @@ class BuildingSurface {
   const Eigen::Vector2d& offset() const { return offset_; }
 
  private:
+  double height_at(const Eigen::Vector2d& local, double ground) const;
+
   const Building& building_;
   std::optional<OutlinedHouse> house_;
   Eigen::Vector2d offset_;  ///< the building's origin in the image's local frame

@@ -43,11 +43,12 @@ int PanelScale::col_of(int x, const HeightImage& image) const {
 
 std::vector<float> model_heights(const BuildingSurface& surface, const HeightImage& image) {
   std::vector<float> heights(image.size());
+  const double support = std::max(image.gsd, image.spread);
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {
       const size_t i = image.index(row, col);
       heights[i] =
-          static_cast<float>(surface.height(image.center_of(row, col), image.gsd, image.ground[i]));
+          static_cast<float>(surface.height(image.center_of(row, col), support, image.ground[i]));
     }
   }
   return heights;

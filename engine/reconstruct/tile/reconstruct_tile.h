@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -35,7 +36,10 @@ struct TileInput {
 
 struct TileOptions {
   FindHousesOptions find;
-  HeightCropOptions crop;
+  HeightCropOptions crop;  ///< its spread is replaced by the one below
+  /// Over how wide a square every height is a mean (HeightImage::spread), metres, [0, 100]; unset:
+  /// told by the walls of the surface (`tile_spread`).
+  std::optional<double> spread;
   BuildingOptions building;
   TerrainOptions terrain;
   int window_cells = 2048;  ///< the raster is worked on in windows of this size, [64, 32768]
@@ -89,6 +93,7 @@ struct TileSummary {
   int num_unexplained = 0;  ///< pieces that no house explains and that are small for anything else
   int num_crown = 0;        ///< high pieces that were parts of tree crowns
   int num_far = 0;          ///< houses dropped by the filter
+  double spread = 0.0;      ///< over which heights were taken for means, metres; 0: for no means
   bool stopped = false;
 };
 

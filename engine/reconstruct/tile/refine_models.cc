@@ -4,6 +4,7 @@
 #include <gable/engine/reconstruct/building/refine_building.h>
 #include <gable/engine/reconstruct/heights/fill.h>
 #include <gable/engine/reconstruct/tile/refine_models.h>
+#include <gable/engine/reconstruct/tile/tile_spread.h>
 #include <gable/engine/reconstruct/tile/tile_windows.h>
 #include <gable/grammar/polygon_cells.h>
 #include <glog/logging.h>
@@ -62,8 +63,9 @@ void mark_crowns(const HeightRaster& dsm, const HeightRaster& dtm, const Vegetat
 
 HeightImage crop_model(const RasterFile& dsm_file, const RasterFile& dtm_file,
                        const std::vector<Building>& buildings, const std::vector<Outline>& outlines,
-                       size_t index, const RefineModelsOptions& options) {
-  const CellBox box = with_margin(outlines[index].cells, options.crop.margin, dsm_file.grid());
+                       size_t index, const HeightCropOptions& crop,
+                       const VegetationOptions& vegetation) {
+  const CellBox box = with_margin(outlines[index].cells, crop.margin, dsm_file.grid());
   const HeightRaster dsm =
       dsm_file.read(box.row0, box.col0, box.row1 - box.row0, box.col1 - box.col0);
   const HeightRaster dtm = fill_smoothly(dtm_file.read_onto(dsm.grid));
@@ -74,9 +76,9 @@ HeightImage crop_model(const RasterFile& dsm_file, const RasterFile& dtm_file,
     }
   }
   mark(outlines[index], CellRole::kBuilding, dsm.grid, &roles);
-  mark_crowns(dsm, dtm, options.vegetation, &roles);
+  mark_crowns(dsm, dtm, vegetation, &roles);
   HeightImage image =
-      crop_heights(dsm, dtm, {0, 0, dsm.grid.rows, dsm.grid.cols}, roles, false, options.crop);
+      crop_heights(dsm, dtm, {0, 0, dsm.grid.rows, dsm.grid.cols}, roles, false, crop);
   const Building& building = buildings[index];
   move_origin(building.house ? building.house->origin : building.origin, &image);
   return image;
@@ -87,6 +89,9 @@ HeightImage crop_model(const RasterFile& dsm_file, const RasterFile& dtm_file,
 std::string check(const RefineModelsOptions& options) {
   if (const std::string error = check(options.refinement); !error.empty()) return error;
   if (const std::string error = check(options.crop); !error.empty()) return error;
+  if (options.spread && !(*options.spread >= 0.0 && *options.spread <= 100.0)) {
+    return "spread must lie in [0, 100] m";
+  }
   if (options.threads < 1 || options.threads > 1024) return "threads must lie in [1, 1024]";
   return "";
 }
@@ -95,6 +100,8 @@ bool refine_models(const RasterFile& dsm, const RasterFile& dtm,
                    const std::vector<Building>& buildings, const RefineModelsOptions& options,
                    const std::stop_token& stop, const TileCallbacks& callbacks) {
   CHECK(check(options).empty()) << check(options);
+  HeightCropOptions crop = options.crop;
+  crop.spread = options.spread ? *options.spread : tile_spread(dsm);
   std::vector<Outline> outlines;
   for (const Building& building : buildings) {
     outlines.push_back(outline_of(building, dsm.grid()));
@@ -105,7 +112,7 @@ bool refine_models(const RasterFile& dsm, const RasterFile& dtm,
       [&](size_t i) {
         TileBuilding out;
         out.index = i;
-        out.image = crop_model(dsm, dtm, buildings, outlines, i, options);
+        out.image = crop_model(dsm, dtm, buildings, outlines, i, crop, options.vegetation);
         if (buildings[i].house) {
           ReconstructedBuilding refined =
               refine_building(buildings[i], options.refinement, &out.image);

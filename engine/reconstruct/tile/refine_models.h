@@ -7,6 +7,7 @@
 #include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 #include <gable/engine/solver/house_refinement.h>
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -15,7 +16,9 @@ namespace gable {
 
 struct RefineModelsOptions {
   RefinementOptions refinement;
-  HeightCropOptions crop;
+  HeightCropOptions crop;  ///< its spread is replaced by the one below
+  /// See TileOptions::spread.
+  std::optional<double> spread;
   VegetationOptions vegetation;
   int threads = 1;  ///< [1, 1024]
 };

@@ -2,6 +2,7 @@
 #include <gable/engine/plan_overlay.h>
 #include <gable/engine/reconstruct/finding/found_rows.h>
 #include <gable/engine/reconstruct/tile/tile_crops.h>
+#include <gable/engine/reconstruct/tile/tile_spread.h>
 #include <gable/engine/reconstruct/tile/tile_terrain.h>
 #include <gable/engine/reconstruct/tile/tile_windows.h>
 #include <gable/engine/reconstruct/tile/visit_tile.h>
@@ -53,8 +54,11 @@ class TileVisit {
         make_(make),
         join_(join),
         grid_(input.dsm->grid()),
+        crop_(options.crop),
         terrain_(*input.dsm, input.dtm,
                  {options.terrain, options.window_cells, options.overlap, options.scratch}) {
+    crop_.spread = options.spread ? *options.spread : tile_spread(*input.dsm);
+    summary_.spread = crop_.spread;
     if (!input.footprints) return;
     for (const Footprint& footprint : *input.footprints) {
       extents_.push_back(extent_of(footprint.polygon, grid_));
@@ -122,7 +126,7 @@ class TileVisit {
     }
     visit_all(mine.size(), [&](size_t i) {
       TileBuilding out;
-      out.image = crop_found_house(window.dsm, window.dtm, found, mine[i], options_.crop);
+      out.image = crop_found_house(window.dsm, window.dtm, found, mine[i], crop_);
       out.of_row = found.houses[mine[i]].row > 0;
       out.cuts = found.houses[mine[i]].cuts;
       for (PlanLine& cut : out.cuts) cut.offset -= cut.normal.dot(out.image.origin.head<2>());
@@ -154,8 +158,7 @@ class TileVisit {
     visit_all(mine.size(), [&](size_t i) {
       const Footprint& footprint = footprints[mine[i]];
       TileBuilding out;
-      out.image =
-          crop_footprint(window.dsm, window.dtm, outlined, footprint.polygon, options_.crop);
+      out.image = crop_footprint(window.dsm, window.dtm, outlined, footprint.polygon, crop_);
       const PlanPolygon outline = moved({footprint.polygon}, -out.image.origin.head<2>()).front();
       make_(footprint.id, &outline, &out);
       return out;
@@ -271,6 +274,7 @@ class TileVisit {
   const MakeBuilding& make_;
   const JoinBuildings& join_;
   const Grid grid_;
+  HeightCropOptions crop_;
   std::vector<CellBox> extents_;  ///< of the footprints
   TileTerrain terrain_;
   TileSummary summary_;

@@ -63,6 +63,53 @@ TEST(HouseRefinement, ReturnsToTheTruthOfNoiseFreeHeights) {
   }
 }
 
+// Heights of a house that are means over a square, in the house's frame.
+HeightImage means_of(const House& house, const ViewOptions& view, double spread) {
+  HeightImage image = image_of(house, view);
+  const HeightField field(house);
+  constexpr int kPoints = 40;
+  for (size_t i = 0; i < image.size(); ++i) {
+    const Eigen::Vector2d p = field.house_from_local(
+        image.center_of(static_cast<int>(i) / image.cols, static_cast<int>(i) % image.cols));
+    double sum = 0.0;
+    for (int a = 0; a < kPoints; ++a) {
+      for (int b = 0; b < kPoints; ++b) {
+        const Eigen::Vector2d part((a + 0.5) / kPoints - 0.5, (b + 0.5) / kPoints - 0.5);
+        sum += field.at_house(p + spread * part, 0.0, image.ground[i]);
+      }
+    }
+    image.height[i] = static_cast<float>(sum / (kPoints * kPoints));
+  }
+  image.spread = spread;
+  return image;
+}
+
+TEST(HouseRefinement, FindsWallsToCentimetresInMetreCellsWhoseHeightsAreMeans) {
+  const House truth = two_blocks();
+  HeightImage image = means_of(truth, {.gsd = 1.0, .size = 26}, 1.8);
+  House house = disturbed(truth, 5);
+  const RefinementSummary summary = refine_house(image, {}, &house);
+  const auto found = house.derivation();
+  const auto expected = truth.derivation();
+  for (size_t b = 0; b < found.size(); ++b) {
+    for (int k = 0; k < found[b]->size(); ++k) {
+      const auto spec = parameter_specs(found[b]->kind)[k];
+      EXPECT_NEAR((*found[b])[k], (*expected[b])[k], 0.05)
+          << rule_name(found[b]->kind) << " " << spec.name;
+    }
+  }
+  EXPECT_LT(summary.mad, 0.02);
+  // Taken for first returns, the same heights put walls somewhere within a cell.
+  image.spread = 0.0;
+  house = disturbed(truth, 5);
+  refine_house(image, {}, &house);
+  double worst = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    worst = std::max(worst, std::abs(house.footprints[0][k] - truth.footprints[0][k]));
+  }
+  EXPECT_GT(worst, 0.1);
+}
+
 TEST(HouseRefinement, FindsAMansardsBreakFromAGablesEavesAndRise) {
   const House truth = box_house(13.0, 10.0, mansard_roof(3.0, 4.5, 0.72, 0.25, Axis::kY), 0.35);
   const HeightImage image = image_of(truth, {.noise = 0.1, .outliers = 0.02});
