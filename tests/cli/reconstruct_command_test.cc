@@ -65,6 +65,25 @@ TEST(ReconstructCommand, WithoutTerrainOneIsDerivedAndSaidSo) {
   EXPECT_EQ(read_buildings(out).buildings.size(), 4u);
 }
 
+TEST(ReconstructCommand, TheSpreadOfHeightsIsToldUnlessGiven) {
+  const VillageFolder village;
+  const auto models = [&](const std::vector<std::string>& more) {
+    const std::string out = village.path("spread.city.jsonl");
+    std::vector<std::string> arguments = {"reconstruct", village.dsm(), "--dtm",  village.dtm(),
+                                          "-o",          out,           "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = run_gable(arguments);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return file_bytes(out);
+  };
+  EXPECT_EQ(models({}), models({"--spread", "0"})) << "its heights are of single surfaces";
+  EXPECT_NE(models({}), models({"--spread", "1.5"}));
+  const ProgramRun refused = run_gable(
+      {"reconstruct", village.dsm(), "-o", village.path("no.city.jsonl"), "--spread", "-1"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("--spread"));
+}
+
 TEST(ReconstructCommand, OneAndTwoThreadsGiveTheSameBytes) {
   const VillageFolder village;
   for (const std::string threads : {"1", "2"}) {

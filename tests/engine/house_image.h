@@ -44,6 +44,33 @@ inline HeightImage image_of(const House& house, const ViewOptions& options = {})
   return image;
 }
 
+// The same with heights that are means over a square of width `spread`, which lies as the house
+// does, by point samples; noise on top.
+inline HeightImage image_of_means(const House& house, double spread,
+                                  const ViewOptions& options = {}) {
+  ViewOptions clean = options;
+  clean.noise = clean.outliers = 0.0;
+  HeightImage image = image_of(house, clean);
+  image.spread = spread;
+  const HeightField field(house);
+  Random random(options.seed);
+  constexpr int kPoints = 30;
+  for (size_t i = 0; i < image.size(); ++i) {
+    const Eigen::Vector2d p = field.house_from_local(
+        image.center_of(static_cast<int>(i) / image.cols, static_cast<int>(i) % image.cols));
+    double sum = 0.0;
+    for (int a = 0; a < kPoints; ++a) {
+      for (int b = 0; b < kPoints; ++b) {
+        const Eigen::Vector2d part((a + 0.5) / kPoints - 0.5, (b + 0.5) / kPoints - 0.5);
+        sum += field.at_house(p + spread * part, 0.0, image.ground[i]);
+      }
+    }
+    image.height[i] = static_cast<float>(sum / (kPoints * kPoints) + random.normal(options.noise));
+    image.inside[i] = image.height[i] > 2.0f;
+  }
+  return image;
+}
+
 // The whole crop of a scene in the true house's local frame; inside: more than 2 m over the
 // terrain.
 inline HeightImage image_of(const Scene& scene) {

@@ -20,8 +20,8 @@ struct BuildingFit {
   double base = 0.0;  ///< lowest terrain under model and inside pixels, metres, <= 0
 };
 
-/// Compares point samples of the model at the pixel centres. The building's origin must be the
-/// image's.
+/// Compares point samples of the model at the pixel centres or, where heights are means, its mean
+/// over the image's spread, terrain included. The building's origin must be the image's.
 BuildingFit fit_of_building(const HeightImage& image, const Building& building);
 
 /// Writes base, MAD and RMSE into a building.

@@ -10,6 +10,10 @@
 namespace gable {
 namespace {
 
+// A garage is wider than this many times what heights are means over: what is narrower could be of
+// any height.
+constexpr double kResolved = 1.25;
+
 // The part of an image around a box, for refinements that move one rule only.
 HeightImage crop(const HeightImage& image, PixelBox box, double margin) {
   const int m = static_cast<int>(std::ceil(margin / image.gsd));
@@ -228,6 +232,9 @@ void propose_beside(const HeightImage& image, const PixelRegion& region, double 
     House with = house;
     with.garages.push_back(garage);
     const double gain = fit_one(window, rule, price, options.penalty, house, 1.0, &with);
+    const Rule& fitted = with.garages.back();
+    namespace box = param::rectangle;
+    if (std::min(fitted[box::kLength], fitted[box::kWidth]) < kResolved * image.spread) return;
     if (gain > best->gain && fitting_share(window, with) >= options.fitting_share) {
       *best = {gain, with};
     }

@@ -54,7 +54,8 @@ ProfileFit fit_profile(const std::vector<Eigen::Vector2d>& samples, double break
   return fit;
 }
 
-// Heights over the sides of a component by their distance from the eaves.
+// Heights over the sides of a component by their distance from the eaves. Means that reach over the
+// eaves are not of the roof alone.
 std::vector<Eigen::Vector2d> side_samples(const HeightImage& image, const HeightField& field,
                                           int component) {
   using namespace block_value;
@@ -71,7 +72,9 @@ std::vector<Eigen::Vector2d> side_samples(const HeightImage& image, const Height
       const Facet facet = roof_facet<double, double>(block, p.x(), p.y());
       if (facet != Facet::kLow && facet != Facet::kHigh) continue;
       const double v = along_x ? p.y() : p.x();
-      samples.emplace_back(std::min(v - v0, v1 - v) / (0.5 * (v1 - v0)), image.height[i]);
+      const double from_eaves = std::min(v - v0, v1 - v);
+      if (from_eaves < 0.5 * image.spread) continue;
+      samples.emplace_back(from_eaves / (0.5 * (v1 - v0)), image.height[i]);
     }
   }
   return samples;

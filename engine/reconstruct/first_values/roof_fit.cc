@@ -13,6 +13,18 @@ constexpr double kLeastRise = 0.25;
 // Mean robust cost of a cell that fits, square metres.
 constexpr double kNoiseCost = 0.02;
 
+// Cells whose means reach over the edge of a rectangle.
+struct Rim {
+  double share = 1.0;  // of the mean that lies in the rectangle, should a wall stand there
+  bool reaches_over = false;
+};
+
+Rim rim_at(double x, double y, double size_x, double size_y, double spread) {
+  const double to_edge = std::min(std::min(x, size_x - x), std::min(y, size_y - y));
+  if (to_edge >= 0.5 * spread) return {};
+  return {0.5 + to_edge / spread, true};
+}
+
 // One candidate shape: 0 at the eaves, 1 at the ridge.
 double shape_at(double u, double v, double length, double width, double start_run, double end_run) {
   double t = std::min(v, width - v) / (0.5 * width);
@@ -46,16 +58,34 @@ RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis
   const double hip_run = std::min(0.5 * width, 0.5 * length);
 
   std::vector<double> z(n), w(n), t(n);
+  std::vector<Rim> rim(n);
   double ground_cost = 0.0;
+  bool has_middle = false;
   int k = 0;
   for (int row = rectangle.row0; row < rectangle.row1; ++row) {
     for (int col = rectangle.col0; col < rectangle.col1; ++col, ++k) {
       const size_t i = view.index(row, col);
+      rim[k] =
+          rim_at((col - rectangle.col0 + 0.5) * view.cell, (row - rectangle.row0 + 0.5) * view.cell,
+                 rectangle.cols() * view.cell, rectangle.rows() * view.cell, view.spread);
+      has_middle |= !rim[k].reaches_over;
       z[k] = view.height[i];
       w[k] = view.weight[i];
       ground_cost += w[k] * loss.cost(static_cast<double>(view.ground[i]) - z[k]);
     }
   }
+
+  // What a cell costs under a roof: at an outer wall its mean is of roof and ground, at a wall
+  // between two blocks of roofs alone, and which of them it is will be seen later.
+  const auto cost_under = [&](int i, double roof, double ground) {
+    const double cost = loss.cost(roof - z[i]);
+    if (!rim[i].reaches_over) return cost;
+    return std::min(cost, loss.cost(ground + rim[i].share * (roof - ground) - z[i]));
+  };
+  const auto ground_at = [&](int i) {
+    return static_cast<double>(view.ground[view.index(rectangle.row0 + i / rectangle.cols(),
+                                                      rectangle.col0 + i % rectangle.cols())]);
+  };
 
   RoofFit best;
   best.rectangle = rectangle;
@@ -80,7 +110,7 @@ RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis
     for (int pass = 0; pass < kReweightings; ++pass) {
       double s = 0.0, st = 0.0, stt = 0.0, sz = 0.0, stz = 0.0;
       for (int i = 0; i < n; ++i) {
-        double weight = w[i];
+        double weight = has_middle && rim[i].reaches_over ? 0.0 : w[i];
         if (pass > 0) {
           const double r = (eaves + rise * t[i] - z[i]) / loss_scale;
           weight /= std::sqrt(1.0 + r * r);
@@ -103,7 +133,7 @@ RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis
     }
     if (shape > 0 && rise < kLeastRise) continue;
     double cost = 0.0;
-    for (int i = 0; i < n; ++i) cost += w[i] * loss.cost(eaves + rise * t[i] - z[i]);
+    for (int i = 0; i < n; ++i) cost += w[i] * cost_under(i, eaves + rise * t[i], ground_at(i));
     const double penalised =
         cost + rise_penalty * (shape == 0 ? 0.0 : 1.0 + (start_run > 0.0) + (end_run > 0.0));
     if (penalised < best_penalised) {
@@ -121,13 +151,10 @@ RoofFit fit_roof(const RectifiedView& view, const CellRectangle& rectangle, Axis
   }
   best.gain = ground_cost - best.cost;
   best.gains.resize(n);
-  k = 0;
-  for (int row = rectangle.row0; row < rectangle.row1; ++row) {
-    for (int col = rectangle.col0; col < rectangle.col1; ++col, ++k) {
-      const double ground = view.ground[view.index(row, col)];
-      best.gains[k] =
-          static_cast<float>(w[k] * (loss.cost(ground - z[k]) - loss.cost(best.heights[k] - z[k])));
-    }
+  for (int i = 0; i < n; ++i) {
+    const double ground = ground_at(i);
+    best.gains[i] = static_cast<float>(
+        w[i] * (loss.cost(ground - z[i]) - cost_under(i, best.heights[i], ground)));
   }
   return best;
 }

@@ -10,6 +10,7 @@ RectifiedView rectify(const HeightImage& image, double azimuth, double cell, dou
   RectifiedView view;
   view.azimuth = azimuth;
   view.cell = cell;
+  view.spread = image.spread;
   const double cosine = std::cos(azimuth), sine = std::sin(azimuth);
   double x_min = std::numeric_limits<double>::infinity(), x_max = -x_min;
   double y_min = x_min, y_max = -x_min;

@@ -13,6 +13,7 @@ struct RectifiedView {
   double cell = 0.5;     ///< metres; columns along house x, rows along house y (row 0 lowest)
   double x0 = 0.0;       ///< house x of the left edge of column 0
   double y0 = 0.0;       ///< house y of the lower edge of row 0
+  double spread = 0.0;   ///< HeightImage::spread, metres
   int rows = 0;
   int cols = 0;
   std::vector<float> height;

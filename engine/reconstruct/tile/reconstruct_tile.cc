@@ -27,6 +27,9 @@ std::string check(const TileOptions& options) {
   if (!(options.least_unexplained_area >= 0.0 && options.least_unexplained_area <= 1e6)) {
     return "least_unexplained_area must lie in [0, 1e6] square metres";
   }
+  if (!(options.most_misfit >= 0.0 && options.most_misfit <= 1000.0)) {
+    return "most_misfit must lie in [0, 1000]";
+  }
   if (options.threads < 1 || options.threads > 1024) return "threads must lie in [1, 1024]";
   return "";
 }
@@ -45,6 +48,25 @@ void join_window(const JoinOptions& options, int threads, const std::stop_token&
     (*window)[i].relations = std::move(joined[i]->relations);
   }
   if (!stop.stop_requested()) divide_common_ground(threads, window);
+}
+
+// Mean height over the terrain of the pixels inside, metres.
+double mean_height_inside(const HeightImage& image) {
+  double sum = 0.0;
+  int count = 0;
+  for (size_t i = 0; i < image.size(); ++i) {
+    if (!image.inside[i] || !is_evidence(image, i)) continue;
+    sum += image.height[i] - image.ground[i];
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+// Whether a house of the grammar explains what was found.
+bool is_explained(const TileBuilding& made, double most_misfit) {
+  if (made.building.status != BuildingStatus::kGrammar) return false;
+  if (made.image.spread == 0.0) return true;
+  return made.building.quality.mad <= most_misfit * mean_height_inside(made.image);
 }
 
 double area_inside(const HeightImage& image) {
@@ -77,8 +99,8 @@ TileSummary reconstruct_tile(const TileInput& input, const TileOptions& options,
     building->model = std::move(made.model);
     building->choice = std::move(made.choice);
     building->is_building = outline != nullptr || building->of_row ||
-                            building->building.status == BuildingStatus::kGrammar ||
-                            area_inside(building->image) >= options.least_unexplained_area;
+                            area_inside(building->image) >= options.least_unexplained_area ||
+                            is_explained(*building, options.most_misfit);
   };
   JoinBuildings join;
   if (options.join_neighbours) {

@@ -53,6 +53,10 @@ struct TileOptions {
   /// this are no buildings, square metres, [0, 1e6]: hedges and clumps of trees, mostly. With
   /// outlines every polygon is one.
   double least_unexplained_area = 60.0;
+  /// Where heights are means, crowns are as smooth as hipped roofs: there such a small piece is
+  /// explained only by a house whose mean distance from the heights is at most this share of the
+  /// piece's mean height over the terrain, [0, 1000].
+  double most_misfit = 0.05;
   /// Cut what was found in the heights and is large into pieces of a few blocks, along the walls
   /// where houses of a row meet. With outlines every polygon is one building.
   bool cut_rows = true;

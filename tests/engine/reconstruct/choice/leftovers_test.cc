@@ -154,5 +154,18 @@ TEST(DropUnpaid, TakesDormersAndChimneysAwayThatHaveGrownToTheirUpperBounds) {
       drop_unpaid(image_of(house, {.gsd = 0.2, .size = 160, .noise = kNoise}), penalty, &house), 0);
 }
 
+TEST(Leftovers, AGarageIsWiderThanWhatHeightsAreMeansOver) {
+  for (const double width : {1.0, 4.0}) {
+    House truth = bare_house();
+    truth.garages.push_back(garage());
+    truth.garages[0][2] = width;
+    truth.garages[0][0] = 6.0 + 0.5 * width;
+    const HeightImage image = image_of_means(truth, 1.6, {.noise = 0.03});
+    House house = bare_house();
+    add_leftovers(image, options(), &house);
+    EXPECT_EQ(house.garages.size(), width > 2.0 ? 1u : 0u) << width;
+  }
+}
+
 }  // namespace
 }  // namespace gable

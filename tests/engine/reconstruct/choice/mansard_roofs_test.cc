@@ -71,6 +71,17 @@ TEST(MansardRoofs, GablesHipsAndFlatRoofsStay) {
   }
 }
 
+TEST(MansardRoofs, ASmearedWallIsNoBrokenRoof) {
+  const House gable = box_house(13.0, 10.0, gable_roof(4.0, 2.5, Axis::kX), 0.35);
+  HeightImage image = image_of_means(gable, 2.4, {.noise = 0.05});
+  House house = gable;
+  make_mansards(image, penalty(), &house);
+  EXPECT_EQ(house.roofs[0].kind, RuleKind::kRoofGable);
+  image.spread = 0.0;
+  make_mansards(image, penalty(), &house);
+  EXPECT_EQ(house.roofs[0].kind, RuleKind::kRoofMansard) << "the smear must be told";
+}
+
 TEST(MansardRoofs, ReconstructionFindsThem) {
   const Scene scene = make_scene(
       box_house(13.0, 10.0, mansard_roof(3.0, 4.5, 0.7, 0.3, Axis::kX), 0.4), {.trees = 0});

@@ -137,5 +137,28 @@ TEST(RoofFit, GainIsWhatTheRoofSavesAgainstTheGround) {
   EXPECT_NEAR(std::accumulate(fit.gains.begin(), fit.gains.end(), 0.0), fit.gain, 1e-2);
 }
 
+TEST(RoofFit, WhereHeightsAreMeansTheRoofIsThatOfTheMiddle) {
+  const Rule roof = hip_roof(4.5, 2.2, 3.5 / 12.0, 3.5 / 12.0, Axis::kX);
+  RectifiedView view = view_of(roof);
+  const RectifiedView sharp = view;
+  constexpr int kReach = 2;  // cells
+  view.spread = (2 * kReach + 1) * view.cell;
+  for (int row = kReach; row < view.rows - kReach; ++row) {
+    for (int col = kReach; col < view.cols - kReach; ++col) {
+      float sum = 0.0f;
+      for (int r = row - kReach; r <= row + kReach; ++r) {
+        for (int c = col - kReach; c <= col + kReach; ++c) sum += sharp.height[sharp.index(r, c)];
+      }
+      view.height[view.index(row, col)] = sum / ((2 * kReach + 1) * (2 * kReach + 1));
+    }
+  }
+  const RoofFit fit = fit_roof(view, kRectangle, Axis::kX, 0.3, 0.3);
+  EXPECT_NEAR(fit.eaves, 4.5, 0.3);
+  EXPECT_NEAR(fit.eaves + fit.rise, 6.7, 0.4);
+  // Taken for single surfaces, the ramps drag the eaves down.
+  view.spread = 0.0;
+  EXPECT_LT(fit_roof(view, kRectangle, Axis::kX, 0.3, 0.3).eaves, fit.eaves - 0.3);
+}
+
 }  // namespace
 }  // namespace gable

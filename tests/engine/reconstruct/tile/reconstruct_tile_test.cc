@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "engine/detectors/tiny_nets.h"
@@ -152,6 +153,79 @@ TEST(SmallPieces, AHedgeIsNoBuildingAndAHouseAsSmallIsOne) {
   EXPECT_EQ(summary.num_unexplained, 0);
   options.least_unexplained_area = -1.0;
   EXPECT_EQ(check(options), "least_unexplained_area must lie in [0, 1e6] square metres");
+}
+
+// Means of `factor` x `factor` cells.
+HeightRaster coarser(const HeightRaster& fine, int factor) {
+  Grid grid = fine.grid;
+  grid.gsd *= factor;
+  grid.rows /= factor;
+  grid.cols /= factor;
+  HeightRaster out(grid, 0.0f);
+  for (int row = 0; row < grid.rows * factor; ++row) {
+    for (int col = 0; col < grid.cols * factor; ++col) {
+      out.at(row / factor, col / factor) += fine.at(row, col) / static_cast<float>(factor * factor);
+    }
+  }
+  return out;
+}
+
+// Elevation of the highest eaves of a house's components.
+double highest_eaves(const House& house) {
+  double highest = 0.0;
+  for (const Rule& roof : house.roofs) highest = std::max(highest, roof[param::roof::kEaves]);
+  return house.origin.z() + highest;
+}
+
+TEST(MeanHeights, AreToldByTheirWallsAndEavesAreFoundInMetreCells) {
+  VillageOptions village_options;
+  village_options.count = 8;
+  village_options.seed = 5;
+  village_options.gsd = 0.25;
+  village_options.trees_per_house = 0.0;
+  village_options.touching_trees = 0.0;
+  const Village village = synthesize_village(village_options);
+  const Crs crs = crs_from_text("EPSG:27700");
+  const ScratchFolder folder;
+  write_raster(folder.path("dsm.tif"), coarser(village.dsm, 4), crs);
+  write_raster(folder.path("dtm.tif"), coarser(village.dtm, 4), crs);
+  const RasterFile dsm(folder.path("dsm.tif")), dtm(folder.path("dtm.tif"));
+  // The mean distance of houses' eaves from the truth.
+  const auto error_of_eaves = [&](std::optional<double> spread, double* told) {
+    TileOptions options;
+    options.spread = spread;
+    TileCallbacks callbacks;
+    double sum = 0.0;
+    int count = 0;
+    callbacks.deliver = [&](TileBuilding&& made) {
+      EXPECT_EQ(made.image.spread > 0.0, spread != 0.0);
+      if (!made.building.house) return;
+      const House& found = *made.building.house;
+      const House* nearest = nullptr;
+      double least = 6.0;
+      for (const House& house : village.houses) {
+        const double distance = (house.origin - found.origin).head<2>().norm();
+        if (distance < least) least = distance, nearest = &house;
+      }
+      if (!nearest) return;
+      sum += std::abs(highest_eaves(found) - highest_eaves(*nearest));
+      ++count;
+    };
+    const TileSummary summary =
+        reconstruct_tile({&dsm, &dtm, nullptr, nullptr}, options, {}, callbacks);
+    *told = summary.spread;
+    EXPECT_GE(count, 5);
+    return sum / count;
+  };
+  double told = 0.0;
+  const double error = error_of_eaves({}, &told);
+  EXPECT_NEAR(told, 1.0, 0.2);
+  const double error_as_points = error_of_eaves(0.0, &told);
+  EXPECT_EQ(told, 0.0);
+  EXPECT_LT(error, 0.7 * error_as_points) << error_as_points;
+  TileOptions options;
+  options.spread = -1.0;
+  EXPECT_EQ(check(options), "spread must lie in [0, 100] m");
 }
 
 TEST_F(ReconstructTile, WithDetectorsThreadsChangeNothing) {
