@@ -6,6 +6,7 @@
 #include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -51,6 +52,14 @@ struct OutsideGrammar {
   size_t planes = 0;
   size_t extrusions = 0;
 };
+
+void say_spread(double spread, const ReconstructOptions& options) {
+  if (spread == 0.0) return;
+  char text[80];
+  std::snprintf(text, sizeof(text), "surface heights are means over %.2f m, %s", spread,
+                options.spread ? "as given" : "told by how walls are smeared");
+  say(options, text);
+}
 
 void summarise(const TileSummary& summary, const OutsideGrammar& outside,
                const ReconstructOptions& options) {
@@ -201,6 +210,7 @@ void run(ReconstructOptions options, const CLI::App& command, const CommandConte
                                             " windows are done and kept, go on with --resume");
   }
   if (summary.stopped) throw Error(ExitCode::kInterrupted, "interrupted, nothing was written");
+  say_spread(summary.spread, options);
   if (windows) {
     summary = windows->summary();
     outside.planes = windows->num_of(BuildingStatus::kPlanes);

@@ -78,6 +78,9 @@ TEST(ReconstructCommand, TheSpreadOfHeightsIsToldUnlessGiven) {
   };
   EXPECT_EQ(models({}), models({"--spread", "0"})) << "its heights are of single surfaces";
   EXPECT_NE(models({}), models({"--spread", "1.5"}));
+  const ProgramRun told = run_gable({"reconstruct", village.dsm(), "--dtm", village.dtm(), "-o",
+                                     village.path("told.city.jsonl"), "--spread", "1.5"});
+  EXPECT_THAT(told.err, HasSubstr("surface heights are means over 1.50 m, as given"));
   const ProgramRun refused = run_gable(
       {"reconstruct", village.dsm(), "-o", village.path("no.city.jsonl"), "--spread", "-1"});
   EXPECT_EQ(refused.exit_code, 2);

@@ -112,8 +112,11 @@ PenalisedCost penalised_cost(const HeightImage& image, const House& house,
                              const PenaltyOptions& options) {
   PenalisedCost cost = derivation_cost(image, house);
   cost.squared_residuals = squared_residuals(image, house, options);
+  // Smear is no reason for a shell where means are compared with means, and what is narrow for cells
+  // that are coarse enough to be smeared may be a bay.
+  const int narrow = image.spread > 0.0 ? 0 : count_narrow_blocks(image, house);
   const double charge = kUnfitCharge * count_unfit_blocks(image, house, options.noise) +
-                        kNarrowCharge * count_narrow_blocks(image, house) +
+                        kNarrowCharge * narrow +
                         options.foundation_charge[static_cast<size_t>(house.foundation)];
   cost.prior += charge;
   cost.total += charge + cost.squared_residuals / (options.noise * options.noise);
