@@ -8,6 +8,7 @@
 #include <gable/engine/io/models/build_model.h>
 #include <gable/engine/io/models/model_writer.h>
 #include <gable/engine/io/raster/raster_writer.h>
+#include <gable/grammar/synthesis/survey/mean_cells.h>
 #include <gable/grammar/synthesis/village.h>
 
 #include <cstdio>
@@ -31,7 +32,29 @@ struct SynthesizeOptions {
   VillageOptions village;
   std::string folder;
   bool dataset = false;
+  std::string cells;  ///< of a village: "samples", "means", "resampled"
 };
+
+/// Cells that are means are made of so many samples along their side.
+constexpr int kSamples = 4;
+
+constexpr double kLeastGsd = 0.1;  // of a village's samples, metres
+
+/// The village, its rasters as the cells are asked for.
+Village surveyed_village(const SynthesizeOptions& options) {
+  if (options.cells == "samples") return synthesize_village(options.village);
+  VillageOptions fine = options.village;
+  fine.gsd /= kSamples;
+  if (fine.gsd < kLeastGsd) {
+    throw Error(ExitCode::kUsage, "--cells " + options.cells +
+                                      ": such cells are at least 0.4 m wide; give a larger --gsd");
+  }
+  Village village = synthesize_village(fine);
+  village.dsm = mean_cells(village.dsm, kSamples,
+                           options.cells == "means" ? CellMeans::kOver : CellMeans::kResampled);
+  village.dtm = mean_cells(village.dtm, kSamples, CellMeans::kOver);
+  return village;
+}
 
 std::string house_id(size_t number) {
   char id[32];
@@ -101,7 +124,7 @@ void run(const SynthesizeOptions& options, const CommandContext& context) {
                                       " houses; more are made with --dataset");
   }
   const std::filesystem::path folder(options.folder);
-  const Village village = synthesize_village(options.village);
+  const Village village = surveyed_village(options);
   const Crs crs = crs_from_text(kCrs);
   std::vector<Footprint> footprints;
   for (size_t i = 0; i < village.footprints.size(); ++i) {
@@ -134,8 +157,16 @@ void add_synthesize_command(CLI::App* app, const CommandContext& context) {
       ->capture_default_str();
   command->add_option("--gsd", options->village.gsd, "Cell size of a village, metres")
       ->type_name("METRES")
-      ->check(CLI::Range(0.1, 2.0))
+      ->check(CLI::Range(kLeastGsd, 2.0))
       ->capture_default_str();
+  command
+      ->add_option(
+          "--cells", options->cells,
+          "What a village's cells hold: samples, one return each; means, over the cell; "
+          "resampled, the same smeared over one more cell, as rasters are that were brought "
+          "to another grid")
+      ->check(CLI::IsMember({"samples", "means", "resampled"}))
+      ->default_val("samples");
   command->add_flag("--dataset", options->dataset,
                     "Crops of single houses with the detectors' targets instead of a village");
   command

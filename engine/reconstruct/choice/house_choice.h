@@ -28,7 +28,7 @@ struct HouseChoiceOptions {
   bool classical = true;  ///< search for first values in the heights
   /// How much the probabilities of the foundation types count where first values come with them,
   /// [0, 100]. See `foundation_charges`.
-  double type_weight = 2.0;
+  double type_weight = 3.0;
   double least_probability = 0.003;  ///< a type counts as at least so probable, (0, 1]
   /// Hypotheses of the classical search of types less probable than this are dropped, [0, 1], but
   /// never all.
