@@ -12,7 +12,7 @@ namespace gable {
 /// The planes a roof is made of, named in the direction of the ridge: kLow and kHigh are the sides
 /// at the rectangle's lower and higher coordinate across the ridge, kStart and kEnd the hips. A
 /// mansard's sides are kLow and kHigh up to the break, kUpperLow and kUpperHigh above it.
-enum class Facet { kFlat, kLow, kHigh, kStart, kEnd, kUpperLow, kUpperHigh };
+enum class Facet : unsigned char { kFlat, kLow, kHigh, kStart, kEnd, kUpperLow, kUpperHigh };
 inline constexpr int kNumFacets = 7;
 
 /// Whether a block's roof has a facet of this name. The roof is the minimum of these planes.

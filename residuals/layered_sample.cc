@@ -21,18 +21,17 @@ const SamplePoints& points_of(RoofSampling sampling) {
 
 double along(double from, double to, double share) { return from + (to - from) * share; }
 
-void sample_roof(const Block<double>& block, RoofSampling sampling, SeenLayer* layer) {
-  const SamplePoints& points = points_of(sampling);
+// Means are rare. Out of line, they cost first returns nothing.
+[[gnu::noinline]] void sample_mean(const Block<double>& block, SeenLayer* layer) {
   const CoveredPart<double>& part = layer->part;
   layer->height = 0.0;
-  for (int i = 0; i < points.count; ++i) {
-    const double x = along(part.x0, part.x1, points.share[i][0]);
-    const double y = along(part.y0, part.y1, points.share[i][1]);
+  for (int i = 0; i < kMeanPoints.count; ++i) {
+    const double x = along(part.x0, part.x1, kMeanPoints.share[i][0]);
+    const double y = along(part.y0, part.y1, kMeanPoints.share[i][1]);
     layer->facets[i] = roof_facet<double, double>(block, x, y);
     layer->height += facet_height<double, double>(block, layer->facets[i], x, y);
   }
-  layer->height /= points.count;
-  for (int i = points.count; i < 4; ++i) layer->facets[i] = layer->facets[0];
+  layer->height /= kMeanPoints.count;
 }
 
 }  // namespace
@@ -54,7 +53,14 @@ SeenLayers seen_layers(const std::vector<Block<double>>& blocks,
                   layer.cut[2] ? block[kY0] : y_low, layer.cut[3] ? block[kY1] : y_high};
     if (layer.part.empty()) continue;
     layer.block = b;
-    sample_roof(block, sampling, &layer);
+    if (sampling == RoofSampling::kMean) [[unlikely]] {
+      sample_mean(block, &layer);
+    } else {
+      const double center_x = 0.5 * (layer.part.x0 + layer.part.x1);
+      const double center_y = 0.5 * (layer.part.y0 + layer.part.y1);
+      layer.facets[0] = roof_facet<double, double>(block, center_x, center_y);
+      layer.height = facet_height<double, double>(block, layer.facets[0], center_x, center_y);
+    }
     int at = seen.count;
     while (at > 0 && seen.layers[at - 1].height < layer.height) --at;
     if (at == kMaxLayers) continue;

@@ -20,8 +20,8 @@ struct ColumnRange {
 struct SeenLayer {
   int block = -1;
   double height = 0.0;  ///< of the roof over the covered part, metres
-  /// The facets at the points that the height is taken from: the centroid's, or those at
-  /// kGaussPoints in x by kGaussPoints in y. All are set.
+  /// The facets at the points that the height is taken from: the centroid's alone, or those at
+  /// kGaussPoints in x by kGaussPoints in y.
   std::array<Facet, 4> facets{};
   CoveredPart<double> part;   ///< of the support, house frame
   std::array<bool, 4> cut{};  ///< whether part.x0, x1, y0, y1 are the block's edges
@@ -43,8 +43,9 @@ SeenLayers seen_layers(const std::vector<Block<double>>& blocks,
 
 /// The only facet that a sample sees, if it is only one.
 inline bool sees_one_facet(const SeenLayers& seen) {
+  if (!seen.top_only || seen.sampling == RoofSampling::kCentroid) return seen.top_only;
   const auto& f = seen.layers[0].facets;
-  return seen.top_only && f[0] == f[1] && f[0] == f[2] && f[0] == f[3];
+  return f[0] == f[1] && f[0] == f[2] && f[0] == f[3];
 }
 
 using BlockGradient = Eigen::Matrix<double, kNumBlockValues, 1>;
