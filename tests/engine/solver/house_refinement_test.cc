@@ -38,21 +38,25 @@ House disturbed(const House& truth, uint64_t seed) {
 // Fine pixels, so that walls are seen where they are.
 const ViewOptions kFine{.gsd = 0.1, .size = 250};
 
+void expect_near(const House& found, const House& truth, double tolerance) {
+  const auto rules = found.derivation(), expected = truth.derivation();
+  for (size_t b = 0; b < rules.size(); ++b) {
+    for (int k = 0; k < rules[b]->size(); ++k) {
+      const auto spec = parameter_specs(rules[b]->kind)[k];
+      EXPECT_NEAR((*rules[b])[k], (*expected[b])[k], tolerance)
+          << rule_name(rules[b]->kind) << " " << spec.name;
+    }
+  }
+}
+
 TEST(HouseRefinement, ReturnsToTheTruthOfNoiseFreeHeights) {
   const House truth = two_blocks();
   const HeightImage image = image_of(truth, kFine);
   for (uint64_t seed = 1; seed <= 4; ++seed) {
     House house = disturbed(truth, seed);
     const RefinementSummary summary = refine_house(image, {}, &house);
-    const auto found = house.derivation();
-    const auto expected = truth.derivation();
-    for (size_t b = 0; b < found.size(); ++b) {
-      for (int k = 0; k < found[b]->size(); ++k) {
-        const auto spec = parameter_specs(found[b]->kind)[k];
-        EXPECT_NEAR((*found[b])[k], (*expected[b])[k], 0.01)
-            << rule_name(found[b]->kind) << " " << spec.name << ", seed " << seed;
-      }
-    }
+    SCOPED_TRACE(seed);
+    expect_near(house, truth, 0.01);
     EXPECT_LT(summary.mad, 0.02);
     EXPECT_GE(summary.rmse, summary.mad);
     EXPECT_EQ(summary.stages.size(), 3u);
@@ -68,15 +72,7 @@ TEST(HouseRefinement, FindsWallsToCentimetresInMetreCellsWhoseHeightsAreMeans) {
   HeightImage image = image_of_means(truth, 1.8, {.gsd = 1.0, .size = 26});
   House house = disturbed(truth, 5);
   const RefinementSummary summary = refine_house(image, {}, &house);
-  const auto found = house.derivation();
-  const auto expected = truth.derivation();
-  for (size_t b = 0; b < found.size(); ++b) {
-    for (int k = 0; k < found[b]->size(); ++k) {
-      const auto spec = parameter_specs(found[b]->kind)[k];
-      EXPECT_NEAR((*found[b])[k], (*expected[b])[k], 0.05)
-          << rule_name(found[b]->kind) << " " << spec.name;
-    }
-  }
+  expect_near(house, truth, 0.05);
   EXPECT_LT(summary.mad, 0.03);
   // Taken for first returns, the same heights put walls somewhere within a cell.
   image.spread = 0.0;
