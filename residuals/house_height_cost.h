@@ -12,7 +12,9 @@ namespace gable {
 
 /// How a house's height field is compared with a height image.
 struct HeightCostOptions {
-  double support = 0.5;  ///< width of a sample's square support, metres, (0, 100]
+  /// Width of a sample's square support, metres, (0, 100]; that of the image's spread where this is
+  /// narrower.
+  double support = 0.5;
   LossKind loss = LossKind::kSoftL1;
   double loss_scale = 0.3;  ///< metres, (0, 100]
   int stride = 1;           ///< every stride-th pixel of every stride-th row is used, >= 1
@@ -27,7 +29,10 @@ struct HeightCostOptions {
 ///
 /// and its residual is sqrt(E), signed where it sees one layer only. Edges feel every pixel that
 /// would fit better on their other side, whatever the loss, and roofs are not bent by pixels
-/// beside them. Parameter blocks: House::derivation().
+/// beside them. Where heights are means (HeightImage::spread > 0), they are compared with the
+/// height field's mean over the support instead, h(p) = sum_k w_k z_k + w_ground ground, the z_k by
+/// RoofSampling::kMean: E(p) = rho(h(p) - height), and the residual keeps its sign. Parameter
+/// blocks: House::derivation().
 ///
 /// Pixels are never resampled: the azimuth turns the sample points. Derivatives are taken with
 /// respect to the values of the blocks that a pixel sees and summed per pair of blocks; the chain

@@ -12,9 +12,9 @@ namespace gable {
 
 /// The cost of one pixel as a Ceres user would first write it, for houses of foundation II with
 /// nothing on their roofs: one residual, metres, whose square is the pixel's E(p) of
-/// HouseHeightEvaluator, over the layers of grammar/height_field.h. The robust loss is inside: add
-/// it to a problem without one. p in the local frame, heights in metres above House::origin.
-/// Parameter blocks: azimuth, two footprints, two roofs, as in House::derivation().
+/// HouseHeightEvaluator for first returns, over the layers of grammar/height_field.h. The robust
+/// loss is inside: add it to a problem without one. p in the local frame, heights in metres above
+/// House::origin. Parameter blocks: azimuth, two footprints, two roofs, as in House::derivation().
 /// HouseHeightCost says the same of all pixels at once and much faster; this one is the yardstick.
 class PixelHeightResidual {
  public:

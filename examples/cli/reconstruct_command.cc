@@ -158,7 +158,7 @@ void run(ReconstructOptions options, const CLI::App& command, const CommandConte
   if (tile_options.detectors.empty() && !options.detectors.none) {
     say(options, "no detectors are installed, so houses are searched in the heights alone");
   }
-  tile_options.spread = options.spread;
+  tile_options.crop.spread = options.spread;
   tile_options.join_neighbours = !options.no_join;
   tile_options.cut_rows = !options.no_cut;
   std::optional<ModelOutputs> outputs;   // either these

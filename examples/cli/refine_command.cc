@@ -36,7 +36,7 @@ void run(const RefineOptions& options, const CommandContext& context) {
   ModelOutputs outputs(options.output, writer_options);
 
   RefineModelsOptions refine_options;
-  refine_options.spread = options.spread;
+  refine_options.crop.spread = options.spread;
   refine_options.threads = options.common.num_threads();
   Progress progress("buildings", buildings.size(), progress_style(options.common.quiet), std::cerr);
   TileCallbacks callbacks;

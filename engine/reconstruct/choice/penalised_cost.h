@@ -17,8 +17,8 @@ namespace gable {
 /// criterion's price. Lower is better; a rule pays if it lowers J. The wings of an L or a U share
 /// their eaves: they count as one parameter, and differences are charged as those of a Gaussian.
 /// Low flat components, which are garages, blocks that do not fit (`count_unfit_blocks`) or are
-/// shells or slivers (narrow_blocks.h), and foundations by how improbable they are before the
-/// heights are looked at are charged as well.
+/// shells or slivers in first returns (narrow_blocks.h), and foundations by how improbable they are
+/// before the heights are looked at are charged as well.
 struct PenalisedCost {
   double squared_residuals = 0.0;  ///< S, square metres
   int num_parameters = 0;          ///< k

@@ -47,7 +47,9 @@ std::string check(const HeightCropOptions& options) {
   }
   if (!(options.row >= 0.0 && options.row <= 1.0)) return "row must lie in [0, 1]";
   if (!(options.outside >= 0.1 && options.outside <= 1.0)) return "outside must lie in [0.1, 1]";
-  if (!(options.spread >= 0.0 && options.spread <= 100.0)) return "spread must lie in [0, 100] m";
+  if (options.spread && !(*options.spread >= 0.0 && *options.spread <= 100.0)) {
+    return "spread must lie in [0, 100] m";
+  }
   return "";
 }
 
@@ -76,7 +78,7 @@ HeightImage crop_heights(const HeightRaster& dsm, const HeightRaster& dtm, const
   image.origin << 0.5 * (first + last), median_terrain(dtm, box, roles);
   image.first_center = first - image.origin.head<2>();
   image.gsd = grid.gsd * factor;
-  image.spread = options.spread;
+  image.spread = options.spread.value_or(0.0);
   image.rows = (rows + factor - 1) / factor;
   image.cols = (cols + factor - 1) / factor;
   for (int row = 0; row < rows; row += factor) {

@@ -6,6 +6,7 @@
 #include <gable/residuals/height_image.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace gable {
@@ -32,7 +33,9 @@ struct HeightCropOptions {
   /// Weight of open cells where the outline is known, [0.1, 1]: the building ends at it in any
   /// case.
   double outside = 0.2;
-  double spread = 0.0;  ///< HeightImage::spread of the crops, metres, [0, 100]
+  /// HeightImage::spread of the crops, metres, [0, 100]. Unset: where whole tiles are worked on,
+  /// what the walls of the surface tell (`tile_spread`); otherwise 0.
+  std::optional<double> spread;
 };
 
 /// Empty if the options are in range; otherwise names the violated bound.

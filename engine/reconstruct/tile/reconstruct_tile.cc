@@ -15,9 +15,6 @@ std::string check(const TileOptions& options) {
         check(options.detected_values), check(options.row_cuts), check(options.join)}) {
     if (!error.empty()) return error;
   }
-  if (options.spread && !(*options.spread >= 0.0 && *options.spread <= 100.0)) {
-    return "spread must lie in [0, 100] m";
-  }
   if (options.window_cells < 64 || options.window_cells > 32768) {
     return "window_cells must lie in [64, 32768]";
   }

@@ -15,7 +15,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -36,10 +35,7 @@ struct TileInput {
 
 struct TileOptions {
   FindHousesOptions find;
-  HeightCropOptions crop;  ///< its spread is replaced by the one below
-  /// Over how wide a square every height is a mean (HeightImage::spread), metres, [0, 100]; unset:
-  /// told by the walls of the surface (`tile_spread`).
-  std::optional<double> spread;
+  HeightCropOptions crop;
   BuildingOptions building;
   TerrainOptions terrain;
   int window_cells = 2048;  ///< the raster is worked on in windows of this size, [64, 32768]

@@ -89,9 +89,6 @@ HeightImage crop_model(const RasterFile& dsm_file, const RasterFile& dtm_file,
 std::string check(const RefineModelsOptions& options) {
   if (const std::string error = check(options.refinement); !error.empty()) return error;
   if (const std::string error = check(options.crop); !error.empty()) return error;
-  if (options.spread && !(*options.spread >= 0.0 && *options.spread <= 100.0)) {
-    return "spread must lie in [0, 100] m";
-  }
   if (options.threads < 1 || options.threads > 1024) return "threads must lie in [1, 1024]";
   return "";
 }
@@ -101,7 +98,7 @@ bool refine_models(const RasterFile& dsm, const RasterFile& dtm,
                    const std::stop_token& stop, const TileCallbacks& callbacks) {
   CHECK(check(options).empty()) << check(options);
   HeightCropOptions crop = options.crop;
-  crop.spread = options.spread ? *options.spread : tile_spread(dsm);
+  if (!crop.spread) crop.spread = tile_spread(dsm);
   std::vector<Outline> outlines;
   for (const Building& building : buildings) {
     outlines.push_back(outline_of(building, dsm.grid()));

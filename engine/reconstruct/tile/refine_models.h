@@ -7,7 +7,6 @@
 #include <gable/engine/reconstruct/tile/reconstruct_tile.h>
 #include <gable/engine/solver/house_refinement.h>
 
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -16,9 +15,7 @@ namespace gable {
 
 struct RefineModelsOptions {
   RefinementOptions refinement;
-  HeightCropOptions crop;  ///< its spread is replaced by the one below
-  /// See TileOptions::spread.
-  std::optional<double> spread;
+  HeightCropOptions crop;
   VegetationOptions vegetation;
   int threads = 1;  ///< [1, 1024]
 };

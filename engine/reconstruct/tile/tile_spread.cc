@@ -2,8 +2,10 @@
 #include <gable/engine/reconstruct/tile/tile_spread.h>
 #include <gable/engine/reconstruct/tile/tile_windows.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace gable {

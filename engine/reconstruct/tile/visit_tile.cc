@@ -57,8 +57,8 @@ class TileVisit {
         crop_(options.crop),
         terrain_(*input.dsm, input.dtm,
                  {options.terrain, options.window_cells, options.overlap, options.scratch}) {
-    crop_.spread = options.spread ? *options.spread : tile_spread(*input.dsm);
-    summary_.spread = crop_.spread;
+    if (!crop_.spread) crop_.spread = tile_spread(*input.dsm);
+    summary_.spread = *crop_.spread;
     if (!input.footprints) return;
     for (const Footprint& footprint : *input.footprints) {
       extents_.push_back(extent_of(footprint.polygon, grid_));

@@ -192,7 +192,7 @@ TEST(MeanHeights, AreToldByTheirWallsAndHousesAreNearTheTruthInMetreCells) {
   // The median over the houses.
   const auto distance_from_truth = [&](std::optional<double> spread, double* told) {
     TileOptions options;
-    options.spread = spread;
+    options.crop.spread = spread;
     TileCallbacks callbacks;
     std::vector<double> distances;
     callbacks.deliver = [&](TileBuilding&& made) {
@@ -222,7 +222,7 @@ TEST(MeanHeights, AreToldByTheirWallsAndHousesAreNearTheTruthInMetreCells) {
   EXPECT_LT(distance, 0.2);
   EXPECT_GT(as_points, 2.0 * distance);
   TileOptions options;
-  options.spread = -1.0;
+  options.crop.spread = -1.0;
   EXPECT_EQ(check(options), "spread must lie in [0, 100] m");
 }
 
